@@ -4,7 +4,9 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/orientation.h"
 #include "geometry/query_range.h"
+#include "geometry/unit_normal.h"
 
 namespace cdfr {
 namespace {
@@ -16,6 +18,10 @@ bool precedes(const Vec3& a, const Vec3& b) noexcept {
 Vec3 minus(const Vec3& a, const Vec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 double sum_of_magnitudes(const Vec3& v) noexcept { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
+
+/// Share of |p - v|_1 below which a height or an edge distance may be rounding alone: above the 2^-96 R of
+/// the header.
+constexpr double negligible = 0x1p-94;
 
 Foot on_vertex(const Vec3& p, const Vec3& v, int corner) noexcept {
   Foot foot;
@@ -43,6 +49,11 @@ Foot on_edge(const Vec3& p, const TriangleShape& triangle, int k) noexcept {
   Foot foot;
   for (int i = 0; i < 3; ++i) foot.offset[i] = r[i] - e[i] * t;
   foot.squared = dot(foot.offset, foot.offset);
+  const double doubt = negligible * sum_of_magnitudes(rounded(r));
+  if (foot.squared.hi <= doubt * doubt && collinear(a, b, p)) {
+    foot.offset = {};
+    foot.squared = {};
+  }
   foot.along = reversed ? DoubleDouble{1, 0} - t : t;
   foot.place = static_cast<TrianglePlace>(1 + k);
   return foot;
@@ -99,8 +110,15 @@ Foot on_face(const Vec3& p, const TriangleShape& triangle) noexcept {
   const Vec3* base = &v[0];
   if (precedes(v[1], *base)) base = &v[1];
   if (precedes(v[2], *base)) base = &v[2];
-  const DoubleDouble height = dot(difference(p, *base), triangle.normal);
+  const DoubleDouble3 r = difference(p, *base);
+  DoubleDouble height = dot(r, triangle.normal);
+  const double doubt = negligible * sum_of_magnitudes(rounded(r));
+  if (std::fabs(height.hi) <= doubt) {
+    const int side = orientation(v[0], v[1], v[2], p);
+    height = {side * std::fmax(std::fabs(height.hi), doubt / 2), 0};
+  }
   Foot foot;
+  foot.along = height;
   foot.squared = height * height;
   foot.offset = scaled(triangle.normal, height);
   return foot;

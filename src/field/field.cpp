@@ -1,0 +1,91 @@
+#include "cdfr/field/field.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <utility>
+
+#include "core/floating_environment.h"
+#include "core/parallel.h"
+#include "core/progress.h"
+#include "field/build_field.h"
+#include "field/field_data.h"
+#include "field/leaves.h"
+#include "field/query.h"
+#include "field/stats.h"
+
+namespace cdfr {
+namespace {
+
+/// Points a task answers between two looks at the caller's tick: a few milliseconds.
+constexpr std::size_t batch_chunk = 2048;
+
+template <class Answer>
+Result<void> for_points(Points x, const Run& run, Answer answer) {
+  const FloatingEnvironment environment;
+  Progress progress(run);
+  progress.phase(0, 1, static_cast<double>((x.size() + batch_chunk - 1) / batch_chunk));
+  with_threads(run, [&] {
+    for_chunks(x.size(), batch_chunk, [&](std::size_t first, std::size_t end) {
+      if (progress.cancelled()) return;
+      for (std::size_t i = first; i < end; ++i) answer(i);
+      progress.step();
+    });
+  });
+  if (progress.cancelled()) return Progress::error();
+  return {};
+}
+
+}  // namespace
+
+Result<Field> Field::build(MeshView mesh, const BuildOptions& options, const Run& run) {
+  Result<FieldData> data = build_field(mesh, options, run);
+  if (!data) return data.error();
+  return Field(std::make_shared<const FieldData>(std::move(data).value()));
+}
+
+double Field::distance(Vec3 x) const noexcept { return signed_distance(*data_, x); }
+
+Closest Field::closest(Vec3 x) const noexcept { return closest_point(*data_, x, Finder::tree); }
+
+Result<void> Field::distance(Points x, std::span<double> out, const Run& run) const {
+  assert(out.size() == x.size());
+  return for_points(x, run, [&](std::size_t i) { out[i] = distance(x[i]); });
+}
+
+Result<void> Field::closest(Points x, std::span<Closest> out, const Run& run) const {
+  assert(out.size() == x.size());
+  return for_points(x, run, [&](std::size_t i) { out[i] = closest(x[i]); });
+}
+
+Box Field::domain() const noexcept { return data_->tree.lattice.domain(); }
+Box Field::bounds() const noexcept { return data_->bounds(); }
+Sign Field::sign() const noexcept { return data_->sign; }
+BuildOptions Field::options() const noexcept { return data_->options; }
+Stats Field::stats() const { return stats_of(*data_); }
+std::uint64_t Field::checksum() const { return checksum_of(*data_); }
+std::size_t Field::leaf_count() const noexcept { return data_->first_leaf.back(); }
+
+Leaf Field::leaf(std::size_t i) const {
+  assert(i < leaf_count());
+  const auto& first = data_->first_leaf;
+  const auto block_number =
+      static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), i) - first.begin() - 1);
+  const Block& block = data_->tree.blocks[block_number];
+  const LeafRecord& record = block.leaves[i - first[block_number]];
+  Leaf leaf;
+  for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
+    if (first[block_number] + number != i) return;
+    leaf.key = key_of(cell);
+    leaf.level = cell.level;
+    leaf.box = data_->tree.lattice.box(cell);
+  });
+  leaf.side = record.side();
+  for (const std::uint32_t slot : slots_of(*data_, block, record)) {
+    leaf.triangles.push_back(data_->triangles.records[slot].number);
+  }
+  std::sort(leaf.triangles.begin(), leaf.triangles.end());
+  return leaf;
+}
+
+}  // namespace cdfr

@@ -1,0 +1,30 @@
+/// What a field is made of.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cdfr/field/field.h"
+#include "field/sign.h"
+#include "octree/blocks.h"
+#include "octree/bvh.h"
+#include "octree/search.h"
+#include "octree/triangles.h"
+
+namespace cdfr {
+
+struct FieldData {
+  TriangleStore triangles;
+  Bvh bvh;
+  Pseudonormals pseudonormals;  ///< empty if unsigned
+  Octree tree;                  ///< without blocks in a brute force's data
+  BuildOptions options;
+  Sign sign = Sign::none;                 ///< never automatic
+  std::uint64_t vertices = 0;             ///< distinct
+  std::vector<std::uint64_t> first_leaf;  ///< leaves before each block; derived
+
+  SearchSpace space() const noexcept { return {triangles, bvh}; }
+  const Box& bounds() const noexcept { return bvh.nodes[0].box; }
+};
+
+}  // namespace cdfr

@@ -1,0 +1,204 @@
+#include "field/query.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/floating_environment.h"
+#include "core/vector.h"
+#include "field/locate.h"
+#include "geometry/box_distance.h"
+#include "geometry/query_range.h"
+
+namespace cdfr {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// What a search accepts, until the least estimate is known; then only the few that it does not rule out meet
+/// the kernel. Where very many are equally close (the centre of a sphere) the kernel is asked in between.
+class Contenders {
+ public:
+  Contenders(const Vec3& p, const TriangleStore& triangles) noexcept : p_(p), triangles_(triangles) {}
+
+  void operator()(std::uint32_t slot, double squared, double reject) noexcept {
+    if (size_ == held_.size()) {
+      thin(reject);
+      if (size_ == held_.size()) settle(reject);
+    }
+    held_[size_++] = {slot, squared};
+  }
+
+  const Winner& settle(double reject) noexcept {
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (held_[i].squared <= reject) winner_.challenge(p_, held_[i].slot, triangles_);
+    }
+    size_ = 0;
+    return winner_;
+  }
+
+ private:
+  struct Held {
+    std::uint32_t slot;
+    double squared;
+  };
+
+  void thin(double reject) noexcept {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (held_[i].squared <= reject) held_[kept++] = held_[i];
+    }
+    size_ = kept;
+  }
+
+  Vec3 p_;
+  const TriangleStore& triangles_;
+  std::array<Held, 64> held_;
+  std::size_t size_ = 0;
+  Winner winner_;
+};
+
+/// A query so far away that all of the mesh is equally close to far less than an ulp, as if seen at
+/// largest_query.
+Vec3 drawn_in(const Vec3& p) noexcept {
+  const double factor = largest_query / largest_magnitude(p);
+  return {p.x * factor, p.y * factor, p.z * factor};
+}
+
+struct Query {
+  Vec3 p;            ///< what the kernel sees
+  double scale = 1;  ///< of the true distance to the kernel's
+};
+
+Query admitted(const Vec3& x) noexcept {
+  const double size = largest_magnitude(x);
+  if (size > largest_query) return {without_dust(drawn_in(x)), size / largest_query};
+  return {without_dust(x), 1};
+}
+
+double signed_by(const FieldData& field, const Query& query, const Winner& winner, int& side) noexcept {
+  side = 1;
+  if (field.sign == Sign::pseudonormal) {
+    side = side_of(query.p, winner.foot, winner.slot, field.space(), field.pseudonormals);
+  }
+  const double distance = square_root(winner.foot.squared) * query.scale;
+  return side < 0 ? -distance : distance;
+}
+
+/// p minus the offset, held to the triangle's box: from 2^40 times the mesh's size on, the offset's own
+/// rounding exceeds an ulp of the mesh.
+Vec3 foot_point(const Query& query, const Winner& winner, const TriangleShape& shape) noexcept {
+  const auto& v = shape.vertices;
+  if (winner.foot.place >= 4) return v[winner.foot.place - 4];
+  const auto held = [](double p, DoubleDouble offset, double a, double b, double c) {
+    const double q = (DoubleDouble{p, 0} - offset).hi;
+    return std::clamp(q, std::min({a, b, c}), std::max({a, b, c}));
+  };
+  const DoubleDouble3& o = winner.foot.offset;
+  return {held(query.p.x, o[0], v[0].x, v[1].x, v[2].x), held(query.p.y, o[1], v[0].y, v[1].y, v[2].y),
+          held(query.p.z, o[2], v[0].z, v[1].z, v[2].z)};
+}
+
+Eigen::Vector3d unit(Eigen::Vector3d v) noexcept {
+  const double largest = v.lpNorm<Eigen::Infinity>();
+  if (!(largest > 0)) return v;
+  v /= largest;
+  return v / v.norm();
+}
+
+/// The (pseudo)normal where the foot lies; where that is undecided or absent, the triangle's; z for a mesh
+/// without any.
+Eigen::Vector3d surface_normal(const FieldData& field, const Winner& winner,
+                               const TriangleShape& shape) noexcept {
+  const TriangleRecord& record = field.triangles.records[winner.slot];
+  Eigen::Vector3d n = to_eigen(rounded(shape.normal));
+  const TrianglePlace place = winner.foot.place;
+  Vec3 own;
+  if (field.sign == Sign::pseudonormal && place >= 4)
+    own = field.pseudonormals.vertices[record.vertices[place - 4]];
+  if (field.sign == Sign::pseudonormal && place >= 1 && place < 4)
+    own = field.pseudonormals.edges[record.edges[place - 1]];
+  if (!(own == Vec3{})) n = unit(to_eigen(own));
+  return n.isZero(0) ? Eigen::Vector3d::UnitZ() : n;
+}
+
+Vec3 gradient_of(const FieldData& field, const Winner& winner, const TriangleShape& shape,
+                 int side) noexcept {
+  if (winner.foot.squared.hi == 0) return from_eigen(surface_normal(field, winner, shape));
+  const double sign = side < 0 ? -1 : 1;
+  if (winner.foot.place == 0) {
+    const double above = winner.foot.along.hi > 0 ? 1 : -1;
+    return from_eigen(to_eigen(rounded(shape.normal)) * (above * sign));
+  }
+  return from_eigen(unit(to_eigen(rounded(winner.foot.offset))) * sign);
+}
+
+}  // namespace
+
+void Winner::challenge(const Vec3& p, std::uint32_t candidate, const TriangleStore& triangles) noexcept {
+  const Foot challenger = measure(p, triangles.shape(candidate));
+  const std::uint32_t challenger_number = triangles.records[candidate].number;
+  const bool wins = slot == no_index || challenger.squared < foot.squared ||
+                    (challenger.squared == foot.squared && challenger_number < number);
+  if (wins) *this = {challenger, candidate, challenger_number};
+}
+
+Winner find_winner(const FieldData& field, const Vec3& p) noexcept {
+  const Lattice& lattice = field.tree.lattice;
+  if (const std::optional<Located> at = locate(field.tree, p)) {
+    Search search(field.space(), p, lattice.reach(), Contenders(p, field.triangles));
+    search.list(at->entries(), lattice.edge,
+                distance_between(p, lattice.centre(at->cell)) * (1 + 8 * unit_roundoff));
+    return search.accept().settle(search.reject());
+  }
+  const Box& box = field.bounds();
+  const double reach = (distance_between(p, box.lo) + diagonal_above(box)) * (1 + 8 * unit_roundoff);
+  Search search(field.space(), p, reach, Contenders(p, field.triangles));
+  search.descend(0);
+  return search.accept().settle(search.reject());
+}
+
+Winner find_winner_brute(const FieldData& field, const Vec3& p) noexcept {
+  Winner winner;
+  for (std::uint32_t slot = 0; slot < field.triangles.size(); ++slot)
+    winner.challenge(p, slot, field.triangles);
+  return winner;
+}
+
+double signed_distance(const FieldData& field, const Vec3& x) noexcept {
+  if (!is_finite(x)) return not_a_number;
+  const FloatingEnvironment environment;
+  const Query query = admitted(x);
+  int side = 1;
+  return signed_by(field, query, find_winner(field, query.p), side);
+}
+
+Closest closest_point(const FieldData& field, const Vec3& x, Finder finder) noexcept {
+  Closest result;
+  if (!is_finite(x)) {
+    result.distance = not_a_number;
+    result.point = result.gradient = {not_a_number, not_a_number, not_a_number};
+    result.barycentric = {not_a_number, not_a_number, not_a_number};
+    return result;
+  }
+  const FloatingEnvironment environment;
+  const Query query = admitted(x);
+  const Winner winner =
+      finder == Finder::tree ? find_winner(field, query.p) : find_winner_brute(field, query.p);
+  const TriangleShape shape = field.triangles.shape(winner.slot);
+  int side = 1;
+  result.distance = signed_by(field, query, winner, side);
+  result.point = foot_point(query, winner, shape);
+  result.gradient = gradient_of(field, winner, shape, side);
+  result.triangle = winner.number;
+  result.patch = field.triangles.records[winner.slot].patch;
+  const TrianglePlace place = winner.foot.place;
+  result.feature = place == 0 ? Feature::face : (place < 4 ? Feature::edge : Feature::vertex);
+  result.element = static_cast<std::uint8_t>(place == 0 ? 0 : (place - 1) % 3);
+  result.barycentric = barycentric(query.p, shape, winner.foot);
+  return result;
+}
+
+}  // namespace cdfr

@@ -1,0 +1,115 @@
+#include "field/stats.h"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "field/leaves.h"
+
+namespace cdfr {
+namespace {
+
+template <class T>
+std::uint64_t bytes_of(const std::vector<T>& v) noexcept {
+  return v.capacity() * sizeof(T);
+}
+
+std::uint64_t total_bytes(const FieldData& field) noexcept {
+  std::uint64_t bytes = sizeof field + bytes_of(field.triangles.groups) + bytes_of(field.triangles.records) +
+                        bytes_of(field.bvh.nodes) + bytes_of(field.pseudonormals.edges) +
+                        bytes_of(field.pseudonormals.vertices) + bytes_of(field.tree.top) +
+                        bytes_of(field.tree.blocks) + bytes_of(field.tree.levels) +
+                        bytes_of(field.first_leaf);
+  for (const Block& block : field.tree.blocks) {
+    bytes += bytes_of(block.nodes) + bytes_of(block.leaves) + bytes_of(block.entries);
+  }
+  return bytes;
+}
+
+/// Length of a list in triangles.
+std::uint64_t length_of(const FieldData& field, const Block& block, const LeafRecord& leaf) noexcept {
+  std::uint64_t length = 0;
+  for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count(); ++i) {
+    const Entry& entry = block.entries[i];
+    const BvhNode& node = field.bvh.nodes[entry.node()];
+    if (node.is_group()) {
+      length += static_cast<std::uint64_t>(std::popcount(entry.lanes()));
+    } else {
+      length += std::min<std::uint64_t>(std::uint64_t{node.end_group} * group_size, field.triangles.size()) -
+                std::uint64_t{node.first_group} * group_size;
+    }
+  }
+  return length;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> slots_of(const FieldData& field, const Block& block, const LeafRecord& leaf) {
+  std::vector<std::uint32_t> slots;
+  for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count(); ++i) {
+    const Entry& entry = block.entries[i];
+    const BvhNode& node = field.bvh.nodes[entry.node()];
+    for (std::uint32_t group = node.first_group; group < node.end_group; ++group) {
+      for (std::uint32_t lane = 0; lane < field.triangles.lanes(group); ++lane) {
+        if ((entry.lanes() >> lane & 1U) != 0)
+          slots.push_back(group * static_cast<std::uint32_t>(group_size) + lane);
+      }
+    }
+  }
+  return slots;
+}
+
+Stats stats_of(const FieldData& field) {
+  Stats stats;
+  stats.triangles = field.triangles.size();
+  stats.vertices = field.vertices;
+  stats.levels = field.tree.levels;
+  stats.bytes = total_bytes(field);
+  std::vector<std::uint64_t> lengths;
+  std::vector<std::uint64_t> by_level(stats.levels.size());
+  for (const Block& block : field.tree.blocks) {
+    stats.entries += block.entries.size();
+    for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
+      const LeafRecord& leaf = block.leaves[number];
+      lengths.push_back(length_of(field, block, leaf));
+      by_level[static_cast<std::size_t>(cell.level)] += lengths.back();
+      stats.inside_leaves += leaf.side() == Side::inside;
+      stats.surface_leaves += leaf.side() == Side::surface;
+      stats.outside_leaves += leaf.side() == Side::outside;
+    });
+  }
+  for (std::size_t level = 0; level < stats.levels.size(); ++level) {
+    LevelStats& l = stats.levels[level];
+    if (l.leaves > 0) l.mean_list = static_cast<double>(by_level[level]) / static_cast<double>(l.leaves);
+  }
+  if (lengths.empty()) return stats;
+  std::sort(lengths.begin(), lengths.end());
+  std::uint64_t sum = 0;
+  for (const std::uint64_t length : lengths) sum += length;
+  stats.mean_list = static_cast<double>(sum) / static_cast<double>(lengths.size());
+  stats.p95_list = static_cast<double>(lengths[(lengths.size() - 1) * 95 / 100]);
+  stats.max_list = lengths.back();
+  return stats;
+}
+
+std::uint64_t checksum_of(const FieldData& field) {
+  const std::unique_ptr<XXH64_state_t, decltype(&XXH64_freeState)> state(XXH64_createState(),
+                                                                         &XXH64_freeState);
+  XXH64_reset(state.get(), 0);
+  for (const TriangleRecord& record : field.triangles.records) {
+    XXH64_update(state.get(), &record.number, sizeof record.number);
+  }
+  for (const Block& block : field.tree.blocks) {
+    for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
+      const LeafRecord& leaf = block.leaves[number];
+      const std::array<std::uint64_t, 2> head{key_of(cell), leaf.count_and_side};
+      XXH64_update(state.get(), head.data(), sizeof head);
+      XXH64_update(state.get(), block.entries.data() + leaf.first, leaf.count() * sizeof(Entry));
+    });
+  }
+  return XXH64_digest(state.get());
+}
+
+}  // namespace cdfr

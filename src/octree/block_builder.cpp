@@ -1,0 +1,131 @@
+#include "octree/block_builder.h"
+
+#include <cmath>
+#include <utility>
+
+#include "geometry/box_distance.h"
+#include "geometry/triangle_box.h"
+
+namespace cdfr {
+
+bool BlockBuilder::may_split(const OpenCell& cell) const noexcept {
+  return cell.cell.level < options_.max_level &&
+         cell.triangles > static_cast<std::uint64_t>(options_.max_triangles_per_leaf);
+}
+
+bool BlockBuilder::pays(const OpenCell& cell, const std::array<OpenCell, 8>& children) const noexcept {
+  if (options_.gain >= 1) return true;
+  std::uint64_t sum = 0;
+  for (const OpenCell& child : children) sum += child.triangles;
+  return static_cast<double>(sum) <= 8 * options_.gain * static_cast<double>(cell.triangles);
+}
+
+void BlockBuilder::count(const OpenCell& cell, std::uint64_t inherited) {
+  const auto level = static_cast<std::size_t>(cell.cell.level);
+  if (levels_.size() <= level) levels_.resize(level + 1);
+  levels_[level].cells += 1;
+  levels_[level].entries_in += inherited;
+  levels_[level].entries_kept += cell.triangles;
+  levels_[level].entries_pruned += inherited - cell.triangles;
+}
+
+/// Does the surface come into the closed cell? True where rounding leaves it open.
+bool BlockBuilder::may_cross(const OpenCell& cell) const {
+  const Box box = lattice_.box(cell.cell);
+  const double away = distance_between(lattice_.centre(cell.cell), cell.dominators[0]);
+  const double slack = 4 * estimate_error * lattice_.reach();
+  if (away - slack > diagonal_above(box) / 2) return false;
+  std::vector<std::uint32_t> nodes;
+  for (const Entry& entry : cell.list) {
+    nodes.assign(1, entry.node());
+    while (!nodes.empty()) {
+      const std::uint32_t index = nodes.back();
+      const BvhNode& node = space_.bvh.nodes[index];
+      nodes.pop_back();
+      const bool apart = node.box.lo.x > box.hi.x || node.box.hi.x < box.lo.x || node.box.lo.y > box.hi.y ||
+                         node.box.hi.y < box.lo.y || node.box.lo.z > box.hi.z || node.box.hi.z < box.lo.z;
+      if (apart) continue;
+      if (!node.is_group()) {
+        nodes.push_back(space_.bvh.right(index));
+        nodes.push_back(space_.bvh.left(index));
+        continue;
+      }
+      const TriangleGroup& group = space_.triangles.groups[node.first_group];
+      for (std::size_t lane = 0; lane < space_.triangles.lanes(node.first_group); ++lane) {
+        if (may_touch({group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)}, box))
+          return true;
+      }
+    }
+  }
+  return false;
+}
+
+void BlockBuilder::close(Growing&& cell) {
+  nodes_[cell.node] = TreeNode::leaf(static_cast<std::uint32_t>(lists_.size()));
+  crossed_.push_back(may_cross(cell.open));
+  levels_[static_cast<std::size_t>(cell.open.cell.level)].leaves += 1;
+  lists_.push_back(std::move(cell.open.list));
+}
+
+/// Numbers leaves along the Morton curve and puts their lists one after another.
+Block BlockBuilder::laid_out(std::uint64_t key) {
+  Block block;
+  block.key = key;
+  block.leaves.reserve(lists_.size());
+  std::vector<std::uint32_t> stack{0};
+  while (!stack.empty()) {
+    TreeNode& node = nodes_[stack.back()];
+    stack.pop_back();
+    if (!node.is_leaf()) {
+      for (std::uint32_t child = 8; child-- > 0;) stack.push_back(node.first_child() + child);
+      continue;
+    }
+    const std::uint32_t closed = node.leaf_number();
+    const std::vector<Entry>& list = lists_[closed];
+    LeafRecord leaf;
+    leaf.first = static_cast<std::uint32_t>(block.entries.size());
+    leaf.set(static_cast<std::uint32_t>(list.size()), crossed_[closed] ? Side::surface : Side::outside);
+    node = TreeNode::leaf(static_cast<std::uint32_t>(block.leaves.size()));
+    block.leaves.push_back(leaf);
+    block.entries.insert(block.entries.end(), list.begin(), list.end());
+  }
+  block.nodes = std::move(nodes_);
+  block.nodes.shrink_to_fit();
+  block.entries.shrink_to_fit();
+  return block;
+}
+
+Block BlockBuilder::build(OpenCell root, std::uint64_t inherited) {
+  const std::uint64_t key = key_of(root.cell);
+  nodes_.resize(1);
+  count(root, inherited);
+  std::vector<Growing> frontier;
+  frontier.push_back({std::move(root), 0});
+  while (!frontier.empty() && !progress_.cancelled()) {
+    std::vector<Growing> next;
+    for (Growing& cell : frontier) {
+      if (!progress_.poll()) return {};
+      if (!may_split(cell.open)) {
+        close(std::move(cell));
+        continue;
+      }
+      std::array<OpenCell, 8> children = refine(space_, lattice_, cell.open, refining_);
+      if (!pays(cell.open, children)) {
+        close(std::move(cell));
+        continue;
+      }
+      const auto first = static_cast<std::uint32_t>(nodes_.size());
+      nodes_[cell.node] = TreeNode::inner(first);
+      nodes_.resize(first + 8);
+      for (std::uint32_t child = 0; child < 8; ++child) {
+        count(children[child], cell.open.triangles);
+        next.push_back({std::move(children[child]), first + child});
+      }
+      cell.open = {};
+    }
+    frontier = std::move(next);
+  }
+  return laid_out(key);
+}
+
+}  // namespace cdfr

@@ -1,0 +1,51 @@
+/// One block of the octree, level by level.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cdfr/field/field.h"
+#include "core/progress.h"
+#include "octree/blocks.h"
+#include "octree/refine.h"
+#include "octree/search.h"
+
+namespace cdfr {
+
+/// A cell splits while its list is longer than the threshold, it is above the deepest level, and the split
+/// pays: the mean list of the children is at most `gain` of its own. Working memory is one level's lists.
+class BlockBuilder {
+ public:
+  BlockBuilder(SearchSpace space, const Lattice& lattice, const BuildOptions& options,
+               const RefineOptions& refining, Progress& progress)
+      : space_(space), lattice_(lattice), options_(options), refining_(refining), progress_(progress) {}
+
+  /// `inherited` counts the triangles that the root's list was pruned from.
+  Block build(OpenCell root, std::uint64_t inherited);
+  const std::vector<LevelStats>& levels() const noexcept { return levels_; }
+
+ private:
+  struct Growing {
+    OpenCell open;
+    std::uint32_t node;
+  };
+
+  bool may_split(const OpenCell& cell) const noexcept;
+  bool pays(const OpenCell& cell, const std::array<OpenCell, 8>& children) const noexcept;
+  void count(const OpenCell& cell, std::uint64_t inherited);
+  void close(Growing&& cell);
+  bool may_cross(const OpenCell& cell) const;
+  Block laid_out(std::uint64_t key);
+
+  SearchSpace space_;
+  const Lattice& lattice_;
+  const BuildOptions& options_;
+  const RefineOptions& refining_;
+  Progress& progress_;
+  std::vector<TreeNode> nodes_;
+  std::vector<std::vector<Entry>> lists_;  ///< of closed cells, in the order they closed
+  std::vector<bool> crossed_;
+  std::vector<LevelStats> levels_;
+};
+
+}  // namespace cdfr

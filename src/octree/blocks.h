@@ -1,0 +1,89 @@
+/// The octree as it is stored: blocks of pointer-free arrays, the same in memory and in a file.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "cdfr/field/field.h"
+#include "octree/key.h"
+#include "octree/lattice.h"
+
+namespace cdfr {
+
+/// One CDD tuple of a leaf's influence list: a BVH node, most often a single group, and a distance from the
+/// leaf's centre that none of its kept triangles goes below, in units of the lattice's edge. Eight bits of
+/// the distance's mantissa give way to the lanes: bit i says that triangle i of the group may win in this
+/// leaf. All lanes are set for larger nodes.
+class Entry {
+ public:
+  Entry() = default;
+  /// `distance` is rounded down.
+  Entry(std::uint32_t node, double distance, std::uint8_t lanes) noexcept : node_(node) {
+    auto f = static_cast<float>(distance);
+    auto bits = std::bit_cast<std::uint32_t>(f);
+    if (bits != 0 && static_cast<double>(f) > distance) --bits;
+    packed_ = (bits & ~0xffU) | lanes;
+  }
+
+  std::uint32_t node() const noexcept { return node_; }
+  std::uint8_t lanes() const noexcept { return static_cast<std::uint8_t>(packed_ & 0xffU); }
+  float distance() const noexcept { return std::bit_cast<float>(packed_ & ~0xffU); }
+
+ private:
+  std::uint32_t node_ = 0;
+  std::uint32_t packed_ = 0;
+};
+
+/// A leaf's list is entries[first] .. entries[first + count - 1] of its block, ascending by distance, then
+/// node.
+struct LeafRecord {
+  std::uint32_t first = 0;
+  std::uint32_t count_and_side = 0;  ///< count * 4 + side
+
+  std::uint32_t count() const noexcept { return count_and_side >> 2; }
+  Side side() const noexcept { return static_cast<Side>(count_and_side & 3U); }
+  void set(std::uint32_t count, Side side) noexcept {
+    count_and_side = count << 2 | static_cast<std::uint32_t>(side);
+  }
+};
+
+/// A node of a tree: a leaf's number, or the place of the first of its eight children in the same array.
+class TreeNode {
+ public:
+  static TreeNode leaf(std::uint32_t number) noexcept { return TreeNode(number | leaf_bit); }
+  static TreeNode inner(std::uint32_t first_child) noexcept { return TreeNode(first_child); }
+  TreeNode() = default;
+
+  bool is_leaf() const noexcept { return (word_ & leaf_bit) != 0; }
+  std::uint32_t leaf_number() const noexcept { return word_ & ~leaf_bit; }
+  std::uint32_t first_child() const noexcept { return word_; }
+
+ private:
+  static constexpr std::uint32_t leaf_bit = 0x80000000U;
+  explicit TreeNode(std::uint32_t word) noexcept : word_(word) {}
+  std::uint32_t word_ = leaf_bit;
+};
+
+/// A subtree on its own: nothing in it points outside but the entries' BVH nodes. nodes[0] is its root;
+/// leaves are in Morton order.
+struct Block {
+  std::uint64_t key = 0;  ///< of the root cell
+  std::vector<TreeNode> nodes;
+  std::vector<LeafRecord> leaves;
+  std::vector<Entry> entries;
+};
+
+/// Blocks in Morton order, and the tree above them. The cut into blocks is a function of mesh and options
+/// alone.
+struct Octree {
+  Lattice lattice;
+  /// From the virtual cube down; a leaf's number is a block, or no_block where the brick has no cell.
+  std::vector<TreeNode> top;
+  std::vector<Block> blocks;
+  std::vector<LevelStats> levels;
+
+  static constexpr std::uint32_t no_block = 0x7fffffffU;
+};
+
+}  // namespace cdfr

@@ -1,0 +1,97 @@
+#include "octree/build.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "core/parallel.h"
+#include "octree/block_builder.h"
+#include "octree/refine.h"
+
+namespace cdfr {
+namespace {
+
+/// Places keys of any level along one Morton curve.
+std::uint64_t morton_place(const Cell& cell) noexcept {
+  return key_of(cell) << (3 * (deepest_level - cell.level));
+}
+
+struct Pending {
+  OpenCell open;
+  std::uint32_t node = 0;       ///< in Octree::top
+  std::uint64_t inherited = 0;  ///< triangles of the parent's list
+};
+
+/// Refines from the virtual cube down until lists are short enough for one block each.
+std::vector<Pending> cut_into_blocks(SearchSpace space, const RefineOptions& refining, Octree& tree,
+                                     Progress& progress) {
+  std::vector<Pending> seeds;
+  std::vector<Pending> frontier;
+  frontier.push_back({root_cell(space), 0, 0});
+  tree.top.resize(1);
+  while (!frontier.empty() && !progress.cancelled()) {
+    std::vector<std::array<OpenCell, 8>> refined(frontier.size());
+    for_chunks(frontier.size(), 1, [&](std::size_t i, std::size_t) {
+      if (progress.poll()) refined[i] = refine(space, tree.lattice, frontier[i].open, refining);
+    });
+    std::vector<Pending> next;
+    for (std::size_t i = 0; i < frontier.size(); ++i) {
+      const auto first = static_cast<std::uint32_t>(tree.top.size());
+      tree.top[frontier[i].node] = TreeNode::inner(first);
+      tree.top.resize(first + 8, TreeNode::leaf(Octree::no_block));
+      for (std::uint32_t child = 0; child < 8; ++child) {
+        OpenCell& cell = refined[i][child];
+        if (!tree.lattice.meets_brick(cell.cell)) continue;
+        const bool rooted =
+            cell.cell.level >= 0 && (cell.triangles <= block_triangles || cell.cell.level == block_deepest);
+        (rooted ? seeds : next).push_back({std::move(cell), first + child, frontier[i].open.triangles});
+      }
+    }
+    frontier = std::move(next);
+  }
+  std::sort(seeds.begin(), seeds.end(), [](const Pending& a, const Pending& b) {
+    return morton_place(a.open.cell) < morton_place(b.open.cell);
+  });
+  return seeds;
+}
+
+void add(std::vector<LevelStats>& sum, const std::vector<LevelStats>& part) {
+  if (sum.size() < part.size()) sum.resize(part.size());
+  for (std::size_t level = 0; level < part.size(); ++level) {
+    sum[level].level = static_cast<int>(level);
+    sum[level].cells += part[level].cells;
+    sum[level].leaves += part[level].leaves;
+    sum[level].entries_in += part[level].entries_in;
+    sum[level].entries_pruned += part[level].entries_pruned;
+    sum[level].entries_kept += part[level].entries_kept;
+  }
+}
+
+}  // namespace
+
+Octree build_octree(SearchSpace space, const Lattice& lattice, const BuildOptions& options,
+                    Progress& progress) {
+  Octree tree;
+  tree.lattice = lattice;
+  const RefineOptions refining{
+      options.lists,
+      std::max<std::uint64_t>(1024, 16 * static_cast<std::uint64_t>(options.max_triangles_per_leaf))};
+  std::vector<Pending> seeds = cut_into_blocks(space, refining, tree, progress);
+  std::vector<std::vector<LevelStats>> levels(seeds.size());
+  tree.blocks.resize(seeds.size());
+  progress.phase(0.2, 0.9, static_cast<double>(seeds.size()));
+  for_chunks(seeds.size(), 1, [&](std::size_t i, std::size_t) {
+    if (progress.cancelled()) return;
+    BlockBuilder builder(space, lattice, options, refining, progress);
+    tree.blocks[i] = builder.build(std::move(seeds[i].open), seeds[i].inherited);
+    levels[i] = builder.levels();
+    progress.step();
+  });
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    tree.top[seeds[i].node] = TreeNode::leaf(static_cast<std::uint32_t>(i));
+    add(tree.levels, levels[i]);
+  }
+  return tree;
+}
+
+}  // namespace cdfr

@@ -1,0 +1,47 @@
+/// A binary tree of boxes over the groups of triangles.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cdfr/core/types.h"
+#include "mesh/topology.h"
+#include "octree/triangles.h"
+
+namespace cdfr {
+
+/// Nodes are in preorder: the left child of node i is i + 1, the right one i + 2 * groups(i + 1).
+struct BvhNode {
+  Box box;  ///< exact: of the vertices
+  std::uint32_t first_group = 0;
+  std::uint32_t end_group = 0;
+
+  std::uint32_t groups() const noexcept { return end_group - first_group; }
+  bool is_group() const noexcept { return groups() == 1; }
+};
+
+/// No path from the root is longer.
+inline constexpr int bvh_depth_limit = 72;
+
+struct Bvh {
+  std::vector<BvhNode> nodes;
+
+  std::uint32_t left(std::uint32_t node) const noexcept { return node + 1; }
+  std::uint32_t right(std::uint32_t node) const noexcept { return node + 2 * nodes[node + 1].groups(); }
+};
+
+/// Order of triangles and the tree over it. Splits by the surface area heuristic over 32 bins of each axis
+/// (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007), at multiples of eight so
+/// that all groups but the last are full. Ties go by triangle number; the same for any number of threads. O(n
+/// log n). Precondition: the mesh is not empty. Runs in the caller's task arena.
+struct BvhAndOrder {
+  Bvh bvh;
+  std::vector<std::uint32_t> order;  ///< triangle numbers by slot
+};
+BvhAndOrder build_bvh(MeshView mesh);
+
+/// Shapes and records in that order.
+TriangleStore gather_triangles(MeshView mesh, const Topology& topology,
+                               const std::vector<std::uint32_t>& order);
+
+}  // namespace cdfr

@@ -1,0 +1,45 @@
+/// The mesh as queries want it: groups of eight in BVH order, and what belongs to each triangle beside its
+/// shape.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "cdfr/core/types.h"
+#include "geometry/point_triangle.h"
+#include "geometry/triangle_group.h"
+
+namespace cdfr {
+
+/// What a query needs of a triangle only after it may have won.
+struct TriangleRecord {
+  Vec3 normal_rest;                       ///< low part of the double-double unit normal
+  std::array<std::uint32_t, 3> vertices;  ///< welded vertex ids
+  std::array<std::uint32_t, 3> edges;     ///< edge ids; no_index for a collapsed edge
+  std::uint32_t number;                   ///< place in the input
+  std::uint32_t patch;
+};
+
+/// A slot is a place in BVH order: lane slot % 8 of group slot / 8.
+struct TriangleStore {
+  std::vector<TriangleGroup> groups;
+  std::vector<TriangleRecord> records;  ///< by slot
+
+  std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(records.size()); }
+  /// Lanes of a group that hold a triangle of their own.
+  std::size_t lanes(std::uint32_t group) const noexcept {
+    const std::size_t left = records.size() - std::size_t{group} * group_size;
+    return left < group_size ? left : group_size;
+  }
+  TriangleShape shape(std::uint32_t slot) const noexcept {
+    const TriangleGroup& g = groups[slot / group_size];
+    const std::size_t lane = slot % group_size;
+    const Vec3 hi = g.normal(lane);
+    const Vec3& lo = records[slot].normal_rest;
+    return {{g.vertex(0, lane), g.vertex(1, lane), g.vertex(2, lane)},
+            {DoubleDouble{hi.x, lo.x}, DoubleDouble{hi.y, lo.y}, DoubleDouble{hi.z, lo.z}}};
+  }
+};
+
+}  // namespace cdfr
