@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "cdfr/core/types.h"
 #include "octree/blocks.h"

@@ -1,72 +1,136 @@
 #include "geometry/triangle_group.h"
 
-#include <cmath>
+// Highway compiles this file once for each instruction set and picks one when the program runs. Only plain
+// additions, products, quotients and comparisons are used, in one order and never fused, so that every set
+// gives the same bits: these estimates decide which lists are built.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "geometry/triangle_group.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
+HWY_BEFORE_NAMESPACE();
 namespace cdfr {
-namespace {
+namespace HWY_NAMESPACE {
 
-struct Segment {
-  double ox, oy, oz;  ///< p minus the closest point of the segment
-  double squared;
-  double margin;  ///< > 0: the projection is certainly on the inner side
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::CappedTag<double, group_size>;
+using Vector = hn::Vec<Tag>;
+
+struct Vector3 {
+  Vector x, y, z;
 };
 
-/// One edge of one triangle: e its direction, r = p - its first vertex, n the triangle's unit normal. No
-/// branches, so that the compiler can put lanes side by side.
-inline Segment beside(double ex, double ey, double ez, double rx, double ry, double rz, double nx, double ny,
-                      double nz) noexcept {
-  const double length = ex * ex + ey * ey + ez * ez;
-  const double s = rx * ex + ry * ey + rz * ez;
-  const double ratio = s / (length > 0 ? length : 1.0);
-  const double clamped = ratio < 1 ? ratio : 1.0;
-  const double t = clamped > 0 ? clamped : 0.0;
-  Segment result;
-  result.ox = rx - t * ex;
-  result.oy = ry - t * ey;
-  result.oz = rz - t * ez;
-  result.squared = result.ox * result.ox + result.oy * result.oy + result.oz * result.oz;
-  const double area = (ey * rz - ez * ry) * nx + (ez * rx - ex * rz) * ny + (ex * ry - ey * rx) * nz;
-  result.margin = area - 16 * unit_roundoff * (std::fabs(ex) + std::fabs(ey) + std::fabs(ez)) *
-                             (std::fabs(rx) + std::fabs(ry) + std::fabs(rz));
+HWY_INLINE Vector3 operator-(const Vector3& a, const Vector3& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE Vector3 operator*(const Vector3& a, Vector s) {
+  return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
+}
+HWY_INLINE Vector dot(const Vector3& a, const Vector3& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+HWY_INLINE Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+HWY_INLINE Vector sum_of_magnitudes(const Vector3& a) {
+  return hn::Add(hn::Add(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
+}
+HWY_INLINE Vector3 choose(hn::Mask<Tag> mask, const Vector3& yes, const Vector3& no) {
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+          hn::IfThenElse(mask, yes.z, no.z)};
+}
+
+struct Beside {
+  Vector3 offset;  ///< p minus the closest point of the segment
+  Vector squared;
+  hn::Mask<Tag> inside;  ///< the projection is certainly on the inner side
+};
+
+/// One edge: e its direction, r = p minus its first vertex, n the triangle's unit normal.
+HWY_INLINE Beside beside(const Vector3& e, const Vector3& r, const Vector3& n) {
+  const Tag d;
+  const Vector zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  const Vector length = dot(e, e);
+  const Vector ratio = hn::Div(dot(r, e), hn::IfThenElse(hn::Gt(length, zero), length, one));
+  const Vector below = hn::IfThenElse(hn::Lt(ratio, one), ratio, one);
+  const Vector t = hn::IfThenElse(hn::Gt(below, zero), below, zero);
+  Beside result;
+  result.offset = r - e * t;
+  result.squared = dot(result.offset, result.offset);
+  const Vector doubt =
+      hn::Mul(hn::Set(d, 16 * unit_roundoff), hn::Mul(sum_of_magnitudes(e), sum_of_magnitudes(r)));
+  result.inside = hn::Gt(dot(cross(e, r), n), doubt);
   return result;
 }
 
-struct Offset {
-  double x, y, z, squared;
+struct Estimated {
+  Vector3 offset;
+  Vector squared;
 };
 
-inline Offset offset_to(const Vec3& p, const TriangleGroup& group, std::size_t i) noexcept {
-  const auto& v = group.vertices;
-  const double nx = group.normals[0][i], ny = group.normals[1][i], nz = group.normals[2][i];
-  const double ax = p.x - v[0][0][i], ay = p.y - v[0][1][i], az = p.z - v[0][2][i];
-  const Segment s0 = beside(v[1][0][i] - v[0][0][i], v[1][1][i] - v[0][1][i], v[1][2][i] - v[0][2][i], ax, ay,
-                            az, nx, ny, nz);
-  const Segment s1 = beside(v[2][0][i] - v[1][0][i], v[2][1][i] - v[1][1][i], v[2][2][i] - v[1][2][i],
-                            p.x - v[1][0][i], p.y - v[1][1][i], p.z - v[1][2][i], nx, ny, nz);
-  const Segment s2 = beside(v[0][0][i] - v[2][0][i], v[0][1][i] - v[2][1][i], v[0][2][i] - v[2][2][i],
-                            p.x - v[2][0][i], p.y - v[2][1][i], p.z - v[2][2][i], nx, ny, nz);
-  const double height = nx * ax + ny * ay + nz * az;
-  Offset best{s0.ox, s0.oy, s0.oz, s0.squared};
-  const bool second = s1.squared < best.squared;
-  best = {second ? s1.ox : best.x, second ? s1.oy : best.y, second ? s1.oz : best.z,
-          second ? s1.squared : best.squared};
-  const bool third = s2.squared < best.squared;
-  best = {third ? s2.ox : best.x, third ? s2.oy : best.y, third ? s2.oz : best.z,
-          third ? s2.squared : best.squared};
-  const bool inside = (s0.margin > 0) & (s1.margin > 0) & (s2.margin > 0);
-  return {inside ? height * nx : best.x, inside ? height * ny : best.y, inside ? height * nz : best.z,
-          inside ? height * height : best.squared};
+HWY_INLINE Vector3 loaded(const double (&xyz)[3][group_size], std::size_t lane) {
+  const Tag d;
+  return {hn::Load(d, xyz[0] + lane), hn::Load(d, xyz[1] + lane), hn::Load(d, xyz[2] + lane)};
 }
 
-}  // namespace
+/// Offsets to the triangles of as many lanes as the instruction set has, from `lane` on.
+HWY_INLINE Estimated estimated(const Vec3& point, const TriangleGroup& group, std::size_t lane) {
+  const Tag d;
+  const Vector3 p{hn::Set(d, point.x), hn::Set(d, point.y), hn::Set(d, point.z)};
+  const Vector3 a = loaded(group.vertices[0], lane);
+  const Vector3 b = loaded(group.vertices[1], lane);
+  const Vector3 c = loaded(group.vertices[2], lane);
+  const Vector3 n = loaded(group.normals, lane);
+  const Vector3 from_a = p - a;
+  const Beside ab = beside(b - a, from_a, n);
+  const Beside bc = beside(c - b, p - b, n);
+  const Beside ca = beside(a - c, p - c, n);
+  const auto second = hn::Lt(bc.squared, ab.squared);
+  Estimated best{choose(second, bc.offset, ab.offset), hn::IfThenElse(second, bc.squared, ab.squared)};
+  const auto third = hn::Lt(ca.squared, best.squared);
+  best = {choose(third, ca.offset, best.offset), hn::IfThenElse(third, ca.squared, best.squared)};
+  const auto inside = hn::And(hn::And(ab.inside, bc.inside), ca.inside);
+  const Vector height = dot(from_a, n);
+  return {choose(inside, n * height, best.offset),
+          hn::IfThenElse(inside, hn::Mul(height, height), best.squared)};
+}
+
+void estimate_squared_here(const Vec3& p, const TriangleGroup& group, GroupDistances& squared) {
+  const Tag d;
+  for (std::size_t lane = 0; lane < group_size; lane += hn::Lanes(d)) {
+    hn::StoreU(estimated(p, group, lane).squared, d, squared.data() + lane);
+  }
+}
+
+Vec3 estimate_closest_here(const Vec3& p, const TriangleGroup& group, std::size_t lane) {
+  const Tag d;
+  const std::size_t within = lane % hn::Lanes(d);
+  const Vector3 offset = estimated(p, group, lane - within).offset;
+  HWY_ALIGN double x[group_size], y[group_size], z[group_size];
+  hn::Store(offset.x, d, x);
+  hn::Store(offset.y, d, y);
+  hn::Store(offset.z, d, z);
+  return {p.x - x[within], p.y - y[within], p.z - z[within]};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cdfr
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cdfr {
+
+HWY_EXPORT(estimate_squared_here);
+HWY_EXPORT(estimate_closest_here);
 
 void estimate_squared(const Vec3& p, const TriangleGroup& group, GroupDistances& squared) noexcept {
-  for (std::size_t i = 0; i < group_size; ++i) squared[i] = offset_to(p, group, i).squared;
+  HWY_DYNAMIC_DISPATCH(estimate_squared_here)(p, group, squared);
 }
 
 Vec3 estimate_closest(const Vec3& p, const TriangleGroup& group, std::size_t lane) noexcept {
-  const Offset o = offset_to(p, group, lane);
-  return {p.x - o.x, p.y - o.y, p.z - o.z};
+  return HWY_DYNAMIC_DISPATCH(estimate_closest_here)(p, group, lane);
 }
 
 }  // namespace cdfr
+#endif

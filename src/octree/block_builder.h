@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "cdfr/field/field.h"
+#include "cdfr/octree/options.h"
 #include "core/progress.h"
 #include "octree/blocks.h"
 #include "octree/refine.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "cdfr/field/field.h"
+#include "cdfr/octree/leaf.h"
 #include "octree/key.h"
 #include "octree/lattice.h"
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "cdfr/field/field.h"
+#include "cdfr/octree/options.h"
 #include "core/progress.h"
 #include "octree/blocks.h"
 #include "octree/search.h"

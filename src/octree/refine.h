@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cdfr/octree/options.h"
 #include "octree/blocks.h"
 #include "octree/influence.h"
 #include "octree/key.h"

@@ -32,7 +32,8 @@ struct ContourReport {
 /// Points of the contour {x : signed distance = distance}; a depth t is distance -t. No hole: within the tolerance of
 /// every point of the true contour there is a point. No ghost: the true contour passes within each point's error.
 /// Points come in Morton order, the same for any thread count. An empty contour is an answer, not an error.
-/// Errors: bad_option (tolerance negative or not finite, or below 2^-40 of the domain), cancelled, and the sink's own.
+/// Errors: bad_option (distance or tolerance not finite, tolerance below 2^-40 of the longest side), not_closed (a negative distance of
+/// an unsigned field), cancelled, and the sink's own.
 CDFR_API Result<ContourReport> contour_points(const Field& field, double distance, const ContourOptions& options,
                                               PointSink& sink, const Run& run = {});
 

@@ -1,4 +1,5 @@
-/// The complete distance field of a mesh: exact signed distance, closest point, triangle and feature anywhere.
+/// The complete distance field of a mesh: exact signed distance, closest point, triangle and feature
+/// anywhere.
 #pragma once
 
 #include <array>
@@ -14,90 +15,47 @@
 #include "cdfr/core/run.h"
 #include "cdfr/core/types.h"
 #include "cdfr/mesh/mesh.h"
+#include "cdfr/octree/leaf.h"
+#include "cdfr/octree/options.h"
 
 namespace cdfr {
-
-/// How inside is told from outside. A signed distance is negative inside.
-enum class Sign : std::uint8_t {
-  automatic,     ///< pseudonormal on a closed, consistently oriented mesh, else none; Field::sign() says which
-  pseudonormal,  ///< by the angle-weighted normal of the closest feature, certified, exact parity where undecided
-  none,          ///< unsigned: distances are never negative
-};
-
-/// Which triangles a leaf keeps.
-enum class Lists : std::uint8_t {
-  corner,  ///< corner dominance (src/octree/influence.h): the tight rule
-  band,    ///< the source paper's range [m, m + sqrt(3) s]: for comparison
-};
-
-struct BuildOptions {
-  /// Domain: the mesh's box grown by this share of its longest side. Queries beyond are exact too, and slower.
-  double margin = 0.05;
-  /// A cell with a longer list splits, if splitting pays. At least 1.
-  int max_triangles_per_leaf = 64;
-  /// Deepest level of a leaf, 0 to 18; level 0 cells are the cubes of the brick.
-  int max_level = 9;
-  /// A split is kept if the children's mean list is at most this share of the parent's; 1 keeps every split.
-  double gain = 0.75;
-  Sign sign = Sign::automatic;
-  Lists lists = Lists::corner;
-};
 
 /// What a closest point lies on.
 enum class Feature : std::uint8_t { face, edge, vertex };
 
 struct Closest {
-  double distance = 0;                   ///< negative inside; NaN if the query was not finite
-  Vec3 point;                            ///< on the surface, to within an ulp of its coordinates
-  Vec3 gradient;                         ///< unit, of the signed distance; on the surface the (pseudo)normal
-  std::uint32_t triangle = no_index;     ///< base triangle: its number in the input
-  std::uint32_t patch = 0;               ///< of that triangle
+  double distance = 0;                ///< negative inside; NaN if the query was not finite
+  Vec3 point;                         ///< on the surface, to within an ulp of its coordinates
+  Vec3 gradient;                      ///< unit, of the signed distance; on the surface the (pseudo)normal
+  std::uint32_t triangle = no_index;  ///< base triangle: its number in the input
+  std::uint32_t patch = 0;            ///< of that triangle
   Feature feature = Feature::face;
-  std::uint8_t element = 0;              ///< edge k joins corners k and (k + 1) % 3; vertex k is corner k; face 0
-  std::array<double, 3> barycentric{};   ///< of `point` in the triangle; they add up to 1
-};
-
-/// Counts of one octree level. `entries_in` is what the level's cells inherited, before pruning.
-struct LevelStats {
-  int level = 0;
-  std::uint64_t cells = 0, leaves = 0;
-  std::uint64_t entries_in = 0, entries_pruned = 0, entries_kept = 0;
-  double mean_list = 0;                  ///< triangles a leaf of this level
+  std::uint8_t element = 0;  ///< edge k joins corners k and (k + 1) % 3; vertex k is corner k; face 0
+  std::array<double, 3> barycentric{};  ///< of `point` in the triangle; they add up to 1
 };
 
 struct Stats {
   std::uint64_t triangles = 0, vertices = 0;
   std::uint64_t inside_leaves = 0, surface_leaves = 0, outside_leaves = 0;
-  std::uint64_t entries = 0;             ///< of all leaves: groups of up to 8 triangles and BVH nodes
-  double mean_list = 0, p95_list = 0;    ///< triangles a leaf
+  std::uint64_t entries = 0;           ///< of all leaves: groups of up to 8 triangles and BVH nodes
+  double mean_list = 0, p95_list = 0;  ///< triangles a leaf
   std::uint64_t max_list = 0;
-  std::uint64_t bytes = 0;               ///< memory of the whole field, mesh included
+  std::uint64_t bytes = 0;  ///< memory of the whole field, mesh included
   std::vector<LevelStats> levels;
-};
-
-/// Which side of the surface a leaf is on.
-enum class Side : std::uint8_t { outside, surface, inside };
-
-/// One leaf of the octree. `triangles` are numbers in the input, ascending.
-struct Leaf {
-  std::uint64_t key = 0;                 ///< sentinel bit, then Morton order: see src/octree/key.h
-  int level = 0;
-  Box box;                               ///< exact
-  Side side = Side::surface;
-  std::vector<std::uint32_t> triangles;
 };
 
 struct FieldData;
 
-/// Immutable; copies share; any number of threads may query it. A point's answers never depend on options or threads.
+/// Immutable; copies share; any number of threads may query it. A point's answers never depend on options or
+/// threads.
 class CDFR_API Field {
  public:
-  /// Errors: empty_mesh, bad_index, not_finite, out_of_range, bad_option, cancelled. Copies what it needs of the mesh.
-  /// Same bits for any number of threads.
+  /// Errors: empty_mesh, bad_index, not_finite, out_of_range, bad_option, cancelled. Copies what it needs of
+  /// the mesh. Same bits for any number of threads.
   static Result<Field> build(MeshView mesh, const BuildOptions& options = {}, const Run& run = {});
 
-  /// Signed distance, within 4 ulp of the truth (ulp at the largest absolute coordinate of mesh and query). NaN if x
-  /// is not finite. O(1) cells in the domain, O(log n) beyond; no allocation.
+  /// Signed distance, within 4 ulp of the truth (ulp at the largest absolute coordinate of mesh and query).
+  /// NaN if x is not finite. O(1) cells in the domain, O(log n) beyond; no allocation.
   double distance(Vec3 x) const noexcept;
   /// Distance with all that belongs to it. Ties in the computed distance go to the lowest triangle number.
   Closest closest(Vec3 x) const noexcept;
@@ -114,10 +72,12 @@ class CDFR_API Field {
   BuildOptions options() const noexcept;
   /// O(leaves).
   Stats stats() const;
-  /// One number for the logical leaves in Morton order: the same for any thread count, block cut and round trip.
+  /// One number for the logical leaves in Morton order: the same for any thread count, block cut and round
+  /// trip.
   std::uint64_t checksum() const;
 
-  /// Leaves in Morton order. `leaf(i)` allocates; precondition i < leaf_count(). For pictures, solvers and tests.
+  /// Leaves in Morton order. `leaf(i)` allocates; precondition i < leaf_count(). For pictures, solvers and
+  /// tests.
   std::size_t leaf_count() const noexcept;
   Leaf leaf(std::size_t i) const;
 
@@ -129,8 +89,9 @@ class CDFR_API Field {
   std::shared_ptr<const FieldData> data_;
 };
 
-/// The oracle: every triangle, no tree. Same bits as Field::closest. O(triangles) a call, after an O(n log n) set-up
-/// that is redone each call; BruteForce keeps it. NaN distance for a mesh that Field::build would refuse.
+/// The oracle: every triangle, no tree. Same bits as Field::closest. O(triangles) a call, after an O(n log n)
+/// set-up that is redone each call; BruteForce keeps it. NaN distance for a mesh that Field::build would
+/// refuse.
 CDFR_API Closest closest_brute(MeshView mesh, Vec3 x, Sign sign = Sign::automatic);
 
 /// closest_brute with its set-up kept. Thread safe after construction.

@@ -1,0 +1,36 @@
+/// What a caller may choose when a field is built.
+#pragma once
+
+#include <cstdint>
+
+namespace cdfr {
+
+/// How inside is told from outside. A signed distance is negative inside.
+enum class Sign : std::uint8_t {
+  automatic,  ///< pseudonormal on a closed, consistently oriented mesh, else none; Field::sign() says which
+  pseudonormal,  ///< by the angle-weighted normal of the closest feature, certified, exact parity where
+                 ///< undecided
+  none,          ///< unsigned: distances are never negative
+};
+
+/// Which triangles a leaf keeps.
+enum class Lists : std::uint8_t {
+  corner,  ///< corner dominance (src/octree/influence.h): the tight rule
+  band,    ///< the source paper's range [m, m + sqrt(3) s]: for comparison
+};
+
+struct BuildOptions {
+  /// Domain: the mesh's box grown by this share of its longest side. Queries beyond are exact too, and
+  /// slower.
+  double margin = 0.05;
+  /// A cell with a longer list splits, if splitting pays. At least 1.
+  int max_triangles_per_leaf = 64;
+  /// Deepest level of a leaf, 0 to 18; level 0 cells are the cubes of the brick.
+  int max_level = 6;
+  /// A split is kept if the children's mean list is at most this share of the parent's; 1 keeps every split.
+  double gain = 0.75;
+  Sign sign = Sign::automatic;
+  Lists lists = Lists::corner;
+};
+
+}  // namespace cdfr

@@ -1,0 +1,175 @@
+#include "store/check.h"
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/query_range.h"
+
+namespace cdfr {
+namespace {
+
+Error refusal(std::uint64_t where, const char* what) {
+  return {Code::file_format, where, std::string(what) + " (element " + std::to_string(where) + ")"};
+}
+
+Result<void> check_lattice(const FieldData& field) {
+  const Lattice& l = field.tree.lattice;
+  int exponent = 0;
+  const bool power = std::isfinite(l.edge) && l.edge > 0 && std::frexp(l.edge, &exponent) == 0.5;
+  const bool sized = power && l.edge >= 0x1p-240 && l.edge <= 0x1p210;
+  const double finest = sized ? std::ldexp(l.edge, -deepest_level) : 1;
+  const auto placed = [&](double o) {
+    return std::isfinite(o) && std::fabs(o) <= 0x1p201 && std::fmod(o, finest) == 0 &&
+           std::fabs(o) <= finest * 0x1p53;
+  };
+  const bool bricked = l.bricks[0] - 1 < 8 && l.bricks[1] - 1 < 8 && l.bricks[2] - 1 < 8;  // 0 wraps round
+  if (!sized || !bricked || !placed(l.origin.x) || !placed(l.origin.y) || !placed(l.origin.z)) {
+    return refusal(0, "settings: lattice out of range");
+  }
+  const BuildOptions& o = field.options;
+  if (!(o.margin >= 0 && o.margin <= 1 && o.gain > 0) || o.max_triangles_per_leaf < 1 || o.max_level < 0 ||
+      o.max_level > deepest_level || field.sign == Sign::automatic || field.sign > Sign::none ||
+      o.sign > Sign::none || o.lists > Lists::band) {
+    return refusal(0, "settings: options out of range");
+  }
+  return {};
+}
+
+Result<void> check_triangles(const FieldData& field) {
+  const TriangleStore& t = field.triangles;
+  if (t.records.empty() || t.records.size() >= no_index || t.groups.size() != (t.records.size() + 7) / 8) {
+    return refusal(0, "groups: count does not fit the records");
+  }
+  for (std::size_t g = 0; g < t.groups.size(); ++g) {
+    for (std::size_t lane = 0; lane < group_size; ++lane) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const Vec3 v = t.groups[g].vertex(corner, lane);
+        if (!is_finite(v) || largest_magnitude(v) > largest_coordinate)
+          return refusal(g, "groups: bad coordinate");
+      }
+      const Vec3 n = t.groups[g].normal(lane);
+      if (!is_finite(n) || largest_magnitude(n) > 1) return refusal(g, "groups: bad normal");
+    }
+  }
+  const bool is_signed = field.sign == Sign::pseudonormal;
+  const std::size_t edges = field.pseudonormals.edges.size(), vertices = field.pseudonormals.vertices.size();
+  for (std::size_t i = 0; i < t.records.size(); ++i) {
+    const TriangleRecord& r = t.records[i];
+    bool good =
+        is_finite(r.normal_rest) && largest_magnitude(r.normal_rest) <= 1 && r.number < t.records.size();
+    for (int k = 0; k < 3 && is_signed; ++k) {
+      good = good && r.vertices[k] < vertices && (r.edges[k] < edges || r.edges[k] == no_index);
+    }
+    if (!good) return refusal(i, "records: bad normal, number or id");
+  }
+  return {};
+}
+
+Result<void> check_bvh(const FieldData& field) {
+  const std::vector<BvhNode>& nodes = field.bvh.nodes;
+  const std::size_t groups = field.triangles.groups.size();
+  if (nodes.size() != 2 * groups - 1) return refusal(0, "bvh_nodes: count does not fit the groups");
+  struct Expected {
+    std::size_t node, first, end;
+    int depth;
+  };
+  std::vector<Expected> stack{{0, 0, groups, 1}};
+  while (!stack.empty()) {
+    const Expected e = stack.back();
+    stack.pop_back();
+    const BvhNode& n = nodes[e.node];
+    const Box& b = n.box;
+    const bool boxed =
+        is_finite(b.lo) && is_finite(b.hi) && b.lo.x <= b.hi.x && b.lo.y <= b.hi.y && b.lo.z <= b.hi.z;
+    if (n.first_group != e.first || n.end_group != e.end || !boxed || e.depth > bvh_depth_limit) {
+      return refusal(e.node, "bvh_nodes: bad range, box or depth");
+    }
+    if (n.is_group()) continue;
+    const std::size_t middle = nodes[e.node + 1].end_group;
+    if (middle <= e.first || middle >= e.end) return refusal(e.node + 1, "bvh_nodes: bad range");
+    stack.push_back({e.node + 2 * (middle - e.first), middle, e.end, e.depth + 1});
+    stack.push_back({e.node + 1, e.first, middle, e.depth + 1});
+  }
+  return {};
+}
+
+/// Walks a tree of nodes whose children must come after their parents; visit(cell, leaf number) may refuse a
+/// leaf.
+template <class Visit>
+Result<void> check_tree(const std::vector<TreeNode>& nodes, const Cell& root, const char* what, Visit visit) {
+  struct Pending {
+    Cell cell;
+    std::size_t node;
+  };
+  if (nodes.empty()) return refusal(0, what);
+  std::vector<Pending> stack{{root, 0}};
+  std::size_t met = 0;
+  while (!stack.empty()) {
+    const Pending at = stack.back();
+    stack.pop_back();
+    ++met;
+    const TreeNode node = nodes[at.node];
+    if (node.is_leaf()) {
+      if (!visit(at.cell, node.leaf_number())) return refusal(at.node, what);
+      continue;
+    }
+    const std::size_t first = node.first_child();
+    if (first <= at.node || first + 8 > nodes.size() || at.cell.level >= deepest_level)
+      return refusal(at.node, what);
+    for (int child = 8; child-- > 0;)
+      stack.push_back({child_of(at.cell, child), first + static_cast<std::size_t>(child)});
+    if (met + stack.size() > nodes.size()) return refusal(at.node, what);
+  }
+  if (met != nodes.size()) return refusal(met, what);
+  return {};
+}
+
+bool good_leaf(const FieldData& field, const Block& block, const LeafRecord& leaf) noexcept {
+  if (leaf.count() == 0 || leaf.side() > Side::inside) return false;
+  if (std::uint64_t{leaf.first} + leaf.count() > block.entries.size()) return false;
+  for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count(); ++i) {
+    const Entry& entry = block.entries[i];
+    if (entry.node() >= field.bvh.nodes.size() || !(entry.distance() >= 0)) return false;
+    const BvhNode& node = field.bvh.nodes[entry.node()];
+    if (node.is_group() && (entry.lanes() & ((1U << field.triangles.lanes(node.first_group)) - 1)) == 0)
+      return false;
+  }
+  return true;
+}
+
+Result<void> check_blocks(const FieldData& field) {
+  const Octree& tree = field.tree;
+  std::size_t next_block = 0;
+  Result<void> top =
+      check_tree(tree.top, Cell{}, "top: bad tree", [&](const Cell& cell, std::uint32_t number) {
+        if (number == Octree::no_block) return !tree.lattice.meets_brick(cell);
+        return number < tree.blocks.size() && number == next_block++ && cell.level >= 0 &&
+               tree.blocks[number].key == key_of(cell);
+      });
+  if (!top) return top;
+  if (next_block != tree.blocks.size()) return refusal(next_block, "top: a block is missing");
+  for (const Block& block : tree.blocks) {
+    std::uint32_t next_leaf = 0;
+    Result<void> good = check_tree(block.nodes, cell_of(block.key), "block_nodes: bad tree",
+                                   [&](const Cell&, std::uint32_t number) {
+                                     return number < block.leaves.size() && number == next_leaf++ &&
+                                            good_leaf(field, block, block.leaves[number]);
+                                   });
+    if (!good) return good;
+    if (next_leaf != block.leaves.size()) return refusal(next_leaf, "block_leaves: a leaf is missing");
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> check_field(const FieldData& field) {
+  for (const auto check : {check_lattice, check_triangles, check_bvh, check_blocks}) {
+    if (Result<void> good = check(field); !good) return good;
+  }
+  return {};
+}
+
+}  // namespace cdfr
