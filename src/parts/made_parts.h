@@ -1,0 +1,15 @@
+/// The made parts by name. Each is closed, embedded, outward oriented, and shares its vertices between
+/// triangles.
+#pragma once
+
+#include "cdfr/mesh/mesh.h"
+
+namespace cdfr {
+
+Mesh cube();
+Mesh tetrahedron();
+Mesh one_tooth();
+Mesh six_star();
+Mesh cylinder_head();
+
+}  // namespace cdfr

@@ -1,0 +1,29 @@
+#include "cdfr/parts/part.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "parts/made_parts.h"
+
+namespace cdfr {
+namespace {
+
+constexpr std::array<std::string_view, 5> names{"cube", "tetrahedron", "one-tooth", "six-star",
+                                                "cylinder-head"};
+constexpr std::array<Mesh (*)(), names.size()> makers{cube, tetrahedron, one_tooth, six_star, cylinder_head};
+
+}  // namespace
+
+std::span<const std::string_view> part_names() noexcept { return names; }
+
+Result<Mesh> make_part(std::string_view name) {
+  std::string known;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == name) return makers[i]();
+    known += (i == 0 ? "" : ", ") + std::string(names[i]);
+  }
+  return Error{Code::bad_option, 0, "no part of that name; there are " + known};
+}
+
+}  // namespace cdfr

@@ -1,0 +1,139 @@
+#include "cdfr/parts/part.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include "parts/depth_probe.h"
+#include "parts/mesh_check.h"
+
+namespace cdfr {
+namespace {
+
+using test::check_mesh;
+using test::DepthProbe;
+using test::MeshCheck;
+
+TEST(Part, UnknownNamesAreNamedErrors) {
+  for (const std::string name : {"", "Cube", "cube ", "cylinder_head", "brevi"}) {
+    const Result<Mesh> result = make_part(name);
+    ASSERT_FALSE(result) << name;
+    EXPECT_EQ(result.error().code, Code::bad_option);
+    EXPECT_NE(result.error().text.find("six-star"), std::string::npos);
+  }
+  EXPECT_FALSE(make_part(std::string_view{}));
+}
+
+TEST(Part, EveryPartIsAClosedSolid) {
+  for (const std::string_view name : part_names()) {
+    const Mesh mesh = make_part(name).value();
+    const MeshCheck check = check_mesh(mesh);
+    EXPECT_EQ(check.lone_edges, 0U) << name;
+    EXPECT_EQ(check.repeated_edges, 0U) << name;
+    EXPECT_EQ(check.pinched, 0U) << name;
+    EXPECT_EQ(check.unused, 0U) << name;
+    EXPECT_EQ(check.twins, 0U) << name;
+    EXPECT_EQ(check.components, 1U) << name;
+    EXPECT_GT(check.smallest_area, 0) << name;
+    EXPECT_GT(check.volume, 0) << name;
+  }
+}
+
+struct Row {
+  std::string_view name;
+  std::size_t triangles;
+  Vec3 size;
+  double depth, depth_step;  ///< as printed in the table, and one unit of its last digit
+  double derived;            ///< as derived at the part
+  Vec3 deepest;
+  double volume;
+
+  friend void PrintTo(const Row& row, std::ostream* out) { *out << row.name; }
+};
+
+class TableRow : public testing::TestWithParam<Row> {};
+
+TEST_P(TableRow, MatchesThePaper) {
+  const Row row = GetParam();
+  const Mesh mesh = make_part(row.name).value();
+  const MeshCheck check = check_mesh(mesh);
+  EXPECT_EQ(mesh.triangles.size(), row.triangles);
+  EXPECT_NEAR(check.box.hi.x - check.box.lo.x, row.size.x, 1e-15);
+  EXPECT_NEAR(check.box.hi.y - check.box.lo.y, row.size.y, 1e-15);
+  EXPECT_NEAR(check.box.hi.z - check.box.lo.z, row.size.z, 1e-15);
+  EXPECT_NEAR(check.volume, row.volume, 1e-12 * row.volume);
+  EXPECT_NEAR(row.derived, row.depth, row.depth_step / 2);
+  const DepthProbe probe(mesh, row.size.x / 4);
+  EXPECT_TRUE(
+      probe.inside({row.deepest.x + 0.001, row.deepest.y + 0.002, row.deepest.z}));  // off the diagonals
+  EXPECT_NEAR(probe.distance(row.deepest), row.derived, 1e-14);
+  EXPECT_TRUE(probe.deeper_than(row.derived * 1.01, row.derived * 0.005).empty());
+}
+
+const double root3 = std::sqrt(3.0);
+const double corner_radius = 1 / (3 + root3);
+const double tooth_radius = (17 - std::sqrt(149.0)) / 10;
+const double star_cosine = std::sqrt(0.75 / (0.75 + 1.0 / 4096));
+const double star_radius = 0.5 * star_cosine / (1 + star_cosine / 64);
+
+/// The star's dish takes a pyramid from either face: a third of the face's area, 3 sqrt(3), times 1/64.
+INSTANTIATE_TEST_SUITE_P(Table1, TableRow,
+                         testing::Values(Row{"cube", 12, {5, 5, 5}, 2.5, 0.1, 2.5, {2.5, 2.5, 2.5}, 125},
+                                         Row{"tetrahedron",
+                                             4,
+                                             {1, 1, 1},
+                                             0.2,
+                                             0.1,
+                                             corner_radius,
+                                             {corner_radius, corner_radius, corner_radius},
+                                             1.0 / 6},
+                                         Row{"one-tooth",
+                                             16,
+                                             {1, 2, 2},
+                                             0.48,
+                                             0.01,
+                                             tooth_radius,
+                                             {0.5, tooth_radius, tooth_radius},
+                                             1.5 + 0.875 * 0.625},
+                                         Row{"six-star",
+                                             48,
+                                             {1, 3, 2 * root3},
+                                             0.49,
+                                             0.01,
+                                             star_radius,
+                                             {0.5, star_radius - 1, 0},
+                                             3 * root3*(1 - 2.0 / 192)}));
+
+TEST(Part, EveryCallGivesTheSameBits) {
+  for (const std::string_view name : part_names()) {
+    const Mesh first = make_part(name).value();
+    const Mesh second = make_part(name).value();
+    EXPECT_EQ(first.vertices, second.vertices) << name;
+    EXPECT_EQ(first.triangles, second.triangles) << name;
+  }
+}
+
+/// The head's bits on every machine; a change here changes every table made from it.
+TEST(Part, CylinderHeadBitsAreFixed) {
+  const Mesh mesh = make_part("cylinder-head").value();
+  std::uint64_t hash = 0;
+  const auto add = [&](std::uint64_t word) {
+    hash = (hash ^ word) * 0x9e3779b97f4a7c15U;
+    hash ^= hash >> 29U;
+  };
+  for (const Vec3& v : mesh.vertices) {
+    for (const double c : {v.x, v.y, v.z}) add(std::bit_cast<std::uint64_t>(c));
+  }
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t corner : t) add(corner);
+  }
+  EXPECT_EQ(hash, 16737466036325723307U);
+}
+
+}  // namespace
+}  // namespace cdfr
