@@ -120,7 +120,7 @@ constexpr std::array<Pair, 9> eighths{{{0, 0},
 /// exact (Sterbenz), so d is within 2.5 u, u = 2^-53; |d| is at most a third of the result where c > 0, and
 /// where c = 0 it is q itself: the error is below 2.5 u of the result in either case.
 double arctangent_of_ratio(double q) noexcept {
-  const int k = q < 0.125 ? 0 : static_cast<int>(q * 8 + 0.5);
+  const int k = q < 0.125 ? 0 : (static_cast<int>(q * 16) + 1) / 2;
   const double c = k * 0.125;
   const double d = k == 0 ? q : (q - c) / (1 + q * c);
   const double z = d * d;

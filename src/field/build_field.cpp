@@ -57,6 +57,7 @@ Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options) {
   field.options = options;
   field.sign = options.sign;
   if (options.sign == Sign::automatic) field.sign = report->closed() ? Sign::pseudonormal : Sign::none;
+  if (field.sign == Sign::pseudonormal && report->closed()) field.far_side = report->volume < 0 ? -1 : 1;
   field.vertices = report->vertices;
   const Topology topology = weld_topology(mesh);
   BvhAndOrder tree = build_bvh(mesh);

@@ -19,7 +19,10 @@ struct FieldData {
   Pseudonormals pseudonormals;  ///< empty if unsigned
   Octree tree;                  ///< without blocks in a brute force's data
   BuildOptions options;
-  Sign sign = Sign::none;                 ///< never automatic
+  Sign sign = Sign::none;  ///< never automatic
+  /// Side of every point outside the mesh's box: 1, -1 for a mesh turned inside out, 0 where only
+  /// pseudonormals tell (a mesh that is not closed).
+  int far_side = 0;
   std::uint64_t vertices = 0;             ///< distinct
   std::vector<std::uint64_t> first_leaf;  ///< leaves before each block; derived
 

@@ -21,7 +21,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 /// the kernel. Where very many are equally close (the centre of a sphere) the kernel is asked in between.
 class Contenders {
  public:
-  Contenders(const Vec3& p, const TriangleStore& triangles) noexcept : p_(p), triangles_(triangles) {}
+  Contenders(const Vec3& p, const TriangleStore& triangles) noexcept : race_(p, triangles) {}
 
   void operator()(std::uint32_t slot, double squared, double reject) noexcept {
     if (size_ == held_.size()) {
@@ -31,12 +31,12 @@ class Contenders {
     held_[size_++] = {slot, squared};
   }
 
-  const Winner& settle(double reject) noexcept {
+  Winner settle(double reject) noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
-      if (held_[i].squared <= reject) winner_.challenge(p_, held_[i].slot, triangles_);
+      if (held_[i].squared <= reject) race_.challenge(held_[i].slot);
     }
     size_ = 0;
-    return winner_;
+    return race_.winner();
   }
 
  private:
@@ -53,11 +53,9 @@ class Contenders {
     size_ = kept;
   }
 
-  Vec3 p_;
-  const TriangleStore& triangles_;
+  Race race_;
   std::array<Held, 64> held_;
   std::size_t size_ = 0;
-  Winner winner_;
 };
 
 /// A query so far away that all of the mesh is equally close to far less than an ulp, as if seen at
@@ -80,7 +78,9 @@ Query admitted(const Vec3& x) noexcept {
 
 double signed_by(const FieldData& field, const Query& query, const Winner& winner, int& side) noexcept {
   side = 1;
-  if (field.sign == Sign::pseudonormal) {
+  if (field.far_side != 0 && !contains(field.bounds(), query.p)) {
+    side = field.far_side;
+  } else if (field.sign == Sign::pseudonormal) {
     side = side_of(query.p, winner.foot, winner.slot, field.space(), field.pseudonormals);
   }
   const double distance = square_root(winner.foot.squared) * query.scale;
@@ -137,12 +137,22 @@ Vec3 gradient_of(const FieldData& field, const Winner& winner, const TriangleSha
 
 }  // namespace
 
-void Winner::challenge(const Vec3& p, std::uint32_t candidate, const TriangleStore& triangles) noexcept {
-  const Foot challenger = measure(p, triangles.shape(candidate));
-  const std::uint32_t challenger_number = triangles.records[candidate].number;
-  const bool wins = slot == no_index || challenger.squared < foot.squared ||
-                    (challenger.squared == foot.squared && challenger_number < number);
-  if (wins) *this = {challenger, candidate, challenger_number};
+void Race::challenge(std::uint32_t slot) noexcept {
+  const TriangleShape shape = triangles_.shape(slot);
+  const Winner challenger{measure(p_, shape), slot, triangles_.records[slot].number};
+  Winner& best = rounded(shape.normal) == Vec3{} ? flat_ : proper_;
+  const bool wins = best.slot == no_index || challenger.foot.squared < best.foot.squared ||
+                    (challenger.foot.squared == best.foot.squared && challenger.number < best.number);
+  if (wins) best = challenger;
+}
+
+Winner Race::winner() const noexcept {
+  if (flat_.slot == no_index || proper_.slot == no_index) return flat_.slot == no_index ? proper_ : flat_;
+  // The kernel is within 2^-93 R of the truth, and R is at most 4 times the largest coordinate.
+  double size = largest_magnitude(p_);
+  for (const Vec3& v : triangles_.shape(flat_.slot).vertices) size = std::max(size, largest_magnitude(v));
+  const bool closer = square_root(flat_.foot.squared) + 0x1p-90 * size < square_root(proper_.foot.squared);
+  return closer ? flat_ : proper_;
 }
 
 Winner find_winner(const FieldData& field, const Vec3& p) noexcept {
@@ -161,10 +171,9 @@ Winner find_winner(const FieldData& field, const Vec3& p) noexcept {
 }
 
 Winner find_winner_brute(const FieldData& field, const Vec3& p) noexcept {
-  Winner winner;
-  for (std::uint32_t slot = 0; slot < field.triangles.size(); ++slot)
-    winner.challenge(p, slot, field.triangles);
-  return winner;
+  Race race(p, field.triangles);
+  for (std::uint32_t slot = 0; slot < field.triangles.size(); ++slot) race.challenge(slot);
+  return race.winner();
 }
 
 double signed_distance(const FieldData& field, const Vec3& x) noexcept {

@@ -13,9 +13,24 @@ struct Winner {
   Foot foot;
   std::uint32_t slot = no_index;
   std::uint32_t number = no_index;
+};
 
-  /// Keeps the smaller computed squared distance, ties to the lower number.
-  void challenge(const Vec3& p, std::uint32_t candidate, const TriangleStore& triangles) noexcept;
+/// Who is closest so far. A triangle of no area wins only where nothing else is as close: if it is part of a
+/// closed surface, proper triangles cover it, and their edges' distances differ from its own by rounding
+/// alone.
+class Race {
+ public:
+  Race(const Vec3& p, const TriangleStore& triangles) noexcept : p_(p), triangles_(triangles) {}
+
+  /// The smaller computed squared distance stays, ties go to the lower number.
+  void challenge(std::uint32_t slot) noexcept;
+  Winner winner() const noexcept;
+
+ private:
+  Vec3 p_;
+  const TriangleStore& triangles_;
+  Winner proper_;
+  Winner flat_;
 };
 
 /// By the leaf's list in the domain, by the BVH beyond. Precondition: p is finite, within largest_query,

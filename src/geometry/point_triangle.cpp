@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <tuple>
-#include <utility>
 
 #include "geometry/orientation.h"
 #include "geometry/query_range.h"
@@ -31,14 +30,27 @@ Foot on_vertex(const Vec3& p, const Vec3& v, int corner) noexcept {
   return foot;
 }
 
+/// Edge k in the direction from its vertex that comes first by coordinates, and how that runs against the
+/// triangle: both turn round with the triangle, so what is computed from them does not.
+struct CanonicalEdge {
+  const Vec3& from;
+  const Vec3& to;
+  double sign;
+};
+
+CanonicalEdge canonical_edge(const TriangleShape& triangle, int k) noexcept {
+  const Vec3& a = triangle.vertices[k];
+  const Vec3& b = triangle.vertices[(k + 1) % 3];
+  if (precedes(b, a)) return {b, a, -1};
+  return {a, b, 1};
+}
+
 /// Distance to edge k in a canonical direction, so that both its triangles do the same arithmetic.
 Foot on_edge(const Vec3& p, const TriangleShape& triangle, int k) noexcept {
-  int from = k;
-  int to = (k + 1) % 3;
-  const bool reversed = precedes(triangle.vertices[to], triangle.vertices[from]);
-  if (reversed) std::swap(from, to);
-  const Vec3& a = triangle.vertices[from];
-  const Vec3& b = triangle.vertices[to];
+  const auto [a, b, sign] = canonical_edge(triangle, k);
+  const bool reversed = sign < 0;
+  const int from = reversed ? (k + 1) % 3 : k;
+  const int to = reversed ? k : (k + 1) % 3;
   const DoubleDouble3 r = difference(p, a);
   const DoubleDouble3 e = difference(b, a);
   const DoubleDouble s = dot(r, e);
@@ -61,8 +73,10 @@ Foot on_edge(const Vec3& p, const TriangleShape& triangle, int k) noexcept {
 
 /// Twice the signed area that p's projection spans with edge k, by the unit normal: positive inside.
 DoubleDouble area_beside(const Vec3& p, const TriangleShape& triangle, int k) noexcept {
-  const DoubleDouble3 e = difference(triangle.vertices[(k + 1) % 3], triangle.vertices[k]);
-  return dot(cross(e, difference(p, triangle.vertices[k])), triangle.normal);
+  const CanonicalEdge edge = canonical_edge(triangle, k);
+  const DoubleDouble area =
+      dot(cross(difference(edge.to, edge.from), difference(p, edge.from)), triangle.normal);
+  return area * edge.sign;
 }
 
 struct Estimate {
@@ -73,21 +87,22 @@ struct Estimate {
 /// subtraction, the dot product one multiplication, the normal's rounding and two sums: 8u of |e|_1 |r|_1;
 /// 16u covers second order.
 Estimate estimated_area_beside(const Vec3& p, const TriangleShape& triangle, int k) noexcept {
-  const Vec3 e = minus(triangle.vertices[(k + 1) % 3], triangle.vertices[k]);
-  const Vec3 r = minus(p, triangle.vertices[k]);
-  const double value = (e.y * r.z - e.z * r.y) * triangle.normal[0].hi +
-                       (e.z * r.x - e.x * r.z) * triangle.normal[1].hi +
-                       (e.x * r.y - e.y * r.x) * triangle.normal[2].hi;
-  return {value, 16 * unit_roundoff * sum_of_magnitudes(e) * sum_of_magnitudes(r)};
+  const CanonicalEdge edge = canonical_edge(triangle, k);
+  const Vec3 e = minus(edge.to, edge.from);
+  const Vec3 r = minus(p, edge.from);
+  const double area = (e.y * r.z - e.z * r.y) * triangle.normal[0].hi +
+                      (e.z * r.x - e.x * r.z) * triangle.normal[1].hi +
+                      (e.x * r.y - e.y * r.x) * triangle.normal[2].hi;
+  return {area * edge.sign, 16 * unit_roundoff * sum_of_magnitudes(e) * sum_of_magnitudes(r)};
 }
 
 /// True only if the projection is certainly inside edge k: the area exceeds 2^-96 |e|_1 |r|_1. Its own error
 /// is below a third of that: 2^-98 from the normal, 40u^2 from cross and dot product. As a length it is below
 /// 3 * 2^-96 R.
 bool surely_beside(const Vec3& p, const TriangleShape& triangle, int k) noexcept {
-  const Vec3 e = minus(triangle.vertices[(k + 1) % 3], triangle.vertices[k]);
-  const Vec3 r = minus(p, triangle.vertices[k]);
-  return area_beside(p, triangle, k).hi > 0x1p-96 * sum_of_magnitudes(e) * sum_of_magnitudes(r);
+  const CanonicalEdge edge = canonical_edge(triangle, k);
+  const double size = sum_of_magnitudes(minus(edge.to, edge.from)) * sum_of_magnitudes(minus(p, edge.from));
+  return area_beside(p, triangle, k).hi > 0x1p-96 * size;
 }
 
 bool projects_inside(const Vec3& p, const TriangleShape& triangle) noexcept {
@@ -128,8 +143,9 @@ Foot on_face(const Vec3& p, const TriangleShape& triangle) noexcept {
 /// R along the edge, differences, products and the root add 9u R); the bound is stated with |r|_1 + |e|_1 >=
 /// R.
 Estimate estimated_edge_distance(const Vec3& p, const TriangleShape& triangle, int k) noexcept {
-  const Vec3 e = minus(triangle.vertices[(k + 1) % 3], triangle.vertices[k]);
-  const Vec3 r = minus(p, triangle.vertices[k]);
+  const CanonicalEdge edge = canonical_edge(triangle, k);
+  const Vec3 e = minus(edge.to, edge.from);
+  const Vec3 r = minus(p, edge.from);
   const double length = e.x * e.x + e.y * e.y + e.z * e.z;
   const double s = r.x * e.x + r.y * e.y + r.z * e.z;
   const double t = s > 0 ? (s < length ? s / length : 1) : 0;

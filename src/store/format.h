@@ -99,7 +99,7 @@ struct Settings {
   std::uint8_t sign = 0;         ///< enum Sign: what was chosen
   std::uint8_t sign_option = 0;  ///< enum Sign: what was asked for
   std::uint8_t lists = 0;        ///< enum Lists
-  std::uint8_t zero = 0;
+  std::int8_t far_side = 0;     ///< FieldData::far_side
   std::uint64_t vertices = 0;
 };
 static_assert(sizeof(Settings) == 80);

@@ -97,6 +97,7 @@ void apply(const format::Settings& s, FieldData& field) {
   field.options.sign = static_cast<Sign>(s.sign_option);
   field.options.lists = static_cast<Lists>(s.lists);
   field.sign = static_cast<Sign>(s.sign);
+  field.far_side = s.far_side;
   field.vertices = s.vertices;
 }
 

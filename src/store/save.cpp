@@ -67,6 +67,7 @@ format::Settings settings_of(const FieldData& field) {
   s.sign = static_cast<std::uint8_t>(field.sign);
   s.sign_option = static_cast<std::uint8_t>(field.options.sign);
   s.lists = static_cast<std::uint8_t>(field.options.lists);
+  s.far_side = static_cast<std::int8_t>(field.far_side);
   s.vertices = field.vertices;
   return s;
 }

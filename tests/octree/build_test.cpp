@@ -79,7 +79,7 @@ TEST(BuildOctree, LeavesTileTheBrickInMortonOrder) {
 }
 
 TEST(BuildOctree, ListsAscendAndNameNothingTwice) {
-  const Built built(test::soup(2000, {{0, 0, 0}, {1, 1, 1}}, 4), {});
+  const Built built(test::soup(300, {{0, 0, 0}, {1, 1, 1}}, 4), {});
   for (const Block& block : built.tree.blocks) {
     for (const LeafRecord& leaf : block.leaves) {
       ASSERT_GT(leaf.count(), 0U);

@@ -57,7 +57,8 @@ class CDFR_API Field {
   /// Signed distance, within 4 ulp of the truth (ulp at the largest absolute coordinate of mesh and query).
   /// NaN if x is not finite. O(1) cells in the domain, O(log n) beyond; no allocation.
   double distance(Vec3 x) const noexcept;
-  /// Distance with all that belongs to it. Ties in the computed distance go to the lowest triangle number.
+  /// Distance with all that belongs to it. Ties in the computed distance go to the lowest triangle number; a triangle of no
+  /// area wins only where no proper one is as close.
   Closest closest(Vec3 x) const noexcept;
   /// Batch forms: out[i] belongs to x[i]. Errors: cancelled. Precondition: out.size() == x.size().
   Result<void> distance(Points x, std::span<double> out, const Run& run = {}) const;

@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cdfr/field/field.h"
+#include "support/meshes.h"
+
+namespace cdfr {
+namespace {
+
+TEST(Sign, IsThatOfTheBoxJustOffItsFacesEdgesAndCorners) {
+  const Box box{{0, 0, 0}, {1, 2, 3}};
+  const Field field = Field::build(test::box_mesh(box).view()).value();
+  test::Random random(1);
+  for (int i = 0; i < 20000; ++i) {
+    const auto place = [&](double lo, double hi) {
+      const double edge = random.below(2) == 0 ? lo : hi;
+      const double off = std::ldexp(random.between(-1, 1), -static_cast<int>(random.below(60)));
+      return random.below(2) == 0 ? random.between(lo, hi) : edge + off;
+    };
+    const Vec3 p{place(0, 1), place(0, 2), place(0, 3)};
+    const bool inside = p.x > 0 && p.x < 1 && p.y > 0 && p.y < 2 && p.z > 0 && p.z < 3;
+    const bool outside = p.x < 0 || p.x > 1 || p.y < 0 || p.y > 2 || p.z < 0 || p.z > 3;
+    const double d = field.distance(p);
+    if (inside) {
+      ASSERT_LT(d, 0);
+    } else if (outside) {
+      ASSERT_GT(d, 0);
+    } else {
+      ASSERT_EQ(d, 0);
+    }
+  }
+}
+
+/// A wedge whose ridge is closed by a triangle of no area: its hidden normal must not decide.
+TEST(Sign, SurvivesACapOfHeightZero) {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 3}, {2, 0, 0}};
+  // The edge (0, 1) is split at vertex 4 on the bottom side only; (0, 4, 1) closes the gap.
+  mesh.triangles = {{0, 2, 4}, {4, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 4, 1}};
+  const Field field = Field::build(mesh.view()).value();
+  ASSERT_EQ(field.sign(), Sign::pseudonormal);
+  const auto inside = [](const Vec3& p) {
+    return p.z > 0 && 3 * p.y - p.z > 0 && 3 * p.x - p.z > 0 && 3 * p.x + 3 * p.y + 2 * p.z < 12;
+  };
+  test::Random random(2);
+  for (int i = 0; i < 20000; ++i) {
+    Vec3 p = random.in({{-1, -1, -1}, {5, 5, 4}});
+    if (i % 2 == 0) {
+      const double off = std::ldexp(1.0, -static_cast<int>(random.below(50)));
+      p = {random.between(-0.5, 4.5), off * random.between(-1, 1), off * random.between(-1, 1)};
+    }
+    EXPECT_EQ(field.distance(p) < 0, inside(p)) << p.x << ' ' << p.y << ' ' << p.z;
+  }
+}
+
+TEST(Sign, NoneOnAnOpenMeshUnlessAsked) {
+  Mesh open = test::box_mesh({{0, 0, 0}, {1, 1, 1}});
+  open.triangles.pop_back();
+  const Field field = Field::build(open.view()).value();
+  EXPECT_EQ(field.sign(), Sign::none);
+  EXPECT_GT(field.distance({0.5, 0.5, 0.5}), 0);
+  BuildOptions options;
+  options.sign = Sign::pseudonormal;
+  EXPECT_LT(Field::build(open.view(), options).value().distance({0.3, 0.5, 0.5}), 0);
+}
+
+TEST(Sign, LeavesThatNothingCrossesKnowTheirSide) {
+  const Mesh mesh = test::sphere_mesh(4);
+  const Field field = Field::build(mesh.view()).value();
+  test::Random random(3);
+  for (int i = 0; i < 2000; ++i) {
+    const Leaf leaf = field.leaf(random.below(field.leaf_count()));
+    const double d = field.distance(random.in(leaf.box));
+    if (leaf.side == Side::inside) {
+      EXPECT_LT(d, 0);
+    }
+    if (leaf.side == Side::outside) {
+      EXPECT_GT(d, 0);
+    }
+  }
+  const Stats stats = field.stats();
+  EXPECT_GT(stats.inside_leaves, 0U);
+  EXPECT_GT(stats.surface_leaves, 0U);
+  EXPECT_GT(stats.outside_leaves, 0U);
+}
+
+}  // namespace
+}  // namespace cdfr
