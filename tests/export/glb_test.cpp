@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cdfr/export/write.h"
-#include "export/scratch.h"
+#include "support/scratch.h"
 
 namespace cdfr {
 namespace {

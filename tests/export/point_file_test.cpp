@@ -11,7 +11,7 @@
 
 #include "cdfr/export/write.h"
 #include "export/ply_parse.h"
-#include "export/scratch.h"
+#include "support/scratch.h"
 
 namespace cdfr {
 namespace {

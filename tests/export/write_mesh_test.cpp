@@ -9,7 +9,7 @@
 
 #include "cdfr/export/write.h"
 #include "export/ply_parse.h"
-#include "export/scratch.h"
+#include "support/scratch.h"
 
 namespace cdfr {
 namespace {

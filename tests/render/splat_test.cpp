@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "export/scratch.h"
+#include "support/scratch.h"
 #include "render/picture.h"
 
 namespace cdfr {

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "export/scratch.h"
+#include "support/scratch.h"
 
 namespace cdfr {
 namespace {

@@ -1,0 +1,22 @@
+/// The meshes that the benches measure: made parts, and models of ../shared/data where that folder is
+/// present.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cdfr/core/result.h"
+#include "cdfr/mesh/mesh.h"
+
+namespace cdfr::bench {
+
+struct Model {
+  std::string name;  ///< of the made part, or the file's stem
+  std::string path;  ///< empty for a made part
+};
+
+/// Those that can be had here; says on stderr which are not.
+std::vector<Model> models();
+Result<Mesh> load_model(const Model& model);
+
+}  // namespace cdfr::bench

@@ -1,0 +1,103 @@
+/// audit, build and info: the documented keys, and the same field however it was come by.
+#include "cli/program.h"
+
+namespace cdfr {
+namespace {
+
+using FieldTest = CliTest;
+using nlohmann::json;
+
+void expect_keys(const json& object, const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) EXPECT_TRUE(object.contains(key)) << "no " << key << " in " << object;
+}
+
+TEST_F(FieldTest, AuditHasAllCounts) {
+  const Outcome outcome = run({"audit", part("cube", "cube.stl"), "--json", "--unit", "mm"});
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "");
+  const json report = outcome.json();
+  expect_keys(report, {"input", "vertices", "open_edges", "nonmanifold_edges", "flipped_edges",
+                       "nonmanifold_vertices", "degenerate_triangles", "duplicate_triangles", "components"});
+  EXPECT_EQ(report["schema"], 1);
+  EXPECT_EQ(report["unit"], "mm");
+  EXPECT_EQ(report["vertices"], 8);
+  EXPECT_EQ(report["closed"], true);
+  EXPECT_EQ(report["sign"], "pseudonormal");
+  EXPECT_EQ(report["box"]["max"], json::array({5, 5, 5}));
+  EXPECT_TRUE(report["warnings"].empty());
+}
+
+TEST_F(FieldTest, AuditNamesTheSignAndWarns) {
+  put("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const auto open = run({"audit", path("open.obj"), "--json"}).json();
+  EXPECT_EQ(open["closed"], false);
+  EXPECT_EQ(open["sign"], "none");
+  EXPECT_EQ(open["open_edges"], 3);
+  put("inward.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n");
+  const auto inward = run({"audit", path("inward.obj"), "--json"}).json();
+  EXPECT_EQ(inward["closed"], true);
+  EXPECT_LT(inward["volume"], 0);
+  EXPECT_EQ(inward["warnings"].size(), 1U);
+  EXPECT_NE(run({"audit", path("inward.obj")}).output.find("inward"), std::string::npos);
+}
+
+TEST_F(FieldTest, InfoHasTheDocumentedKeys) {
+  const Outcome outcome = run({"info", part("six-star", "star.ply"), "--json", "--quiet"});
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const json report = outcome.json();
+  expect_keys(report, {"triangles", "vertices", "bytes", "unit"});
+  EXPECT_EQ(report["schema"], 1);
+  EXPECT_EQ(report["sign"], "pseudonormal");
+  expect_keys(report["domain"], {"min", "max"});
+  expect_keys(report["leaves"], {"inside", "surface", "outside"});
+  expect_keys(report["list"], {"mean", "p95", "max"});
+  ASSERT_FALSE(report["levels"].empty());
+  std::uint64_t leaves = 0;
+  for (const json& level : report["levels"]) {
+    expect_keys(level, {"level", "cells", "leaves", "mean_list"});
+    leaves += level["leaves"].get<std::uint64_t>();
+    EXPECT_EQ(level["entries_in"].get<std::uint64_t>(),
+              level["entries_pruned"].get<std::uint64_t>() + level["entries_kept"].get<std::uint64_t>());
+  }
+  const json& sides = report["leaves"];
+  EXPECT_EQ(leaves, sides["inside"].get<std::uint64_t>() + sides["surface"].get<std::uint64_t>() +
+                        sides["outside"].get<std::uint64_t>());
+  EXPECT_EQ(report["checksum"].get<std::string>().size(), 16U);
+}
+
+TEST_F(FieldTest, InfoShowsATableOfLevels) {
+  const Outcome outcome = run({"info", part("six-star", "star.ply")});
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  for (const char* column : {"level", "cells", "entries in", "pruned", "kept", "checksum"}) {
+    EXPECT_NE(outcome.output.find(column), std::string::npos) << column;
+  }
+}
+
+TEST_F(FieldTest, ASavedFieldIsTheBuiltOneOnAnyNumberOfThreads) {
+  const std::string star = part("six-star", "star.ply");
+  const Outcome built =
+      run({"build", star, "-o", path("star.cdfr"), "--unit", "mm", "--threads", "1", "--json"});
+  ASSERT_EQ(built.status, 0) << built.errors;
+  EXPECT_EQ(built.json()["output"], path("star.cdfr"));
+  const json loaded = run({"info", path("star.cdfr"), "--json"}).json();
+  const json again = run({"info", star, "--json", "--threads", "3"}).json();
+  EXPECT_EQ(loaded["unit"], "mm");
+  EXPECT_EQ(loaded["checksum"], built.json()["checksum"]);
+  EXPECT_EQ(loaded["checksum"], again["checksum"]);
+  EXPECT_EQ(names_but({"star.ply", "star.cdfr"}), std::vector<std::string>());
+  std::filesystem::rename(folder() / "star.cdfr", folder() / "star.bin");
+  EXPECT_EQ(run({"info", path("star.bin"), "--json"}).json()["checksum"], loaded["checksum"]) << "by content";
+}
+
+TEST_F(FieldTest, AMeshIsNoFieldForBuildAndAudit) {
+  ASSERT_EQ(run({"build", part("cube", "cube.stl"), "-o", path("cube.cdfr")}).status, 0);
+  for (const auto& arguments : std::vector<std::vector<std::string>>{
+           {"audit", path("cube.cdfr")}, {"build", path("cube.cdfr"), "-o", path("again.cdfr")}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.errors.find("saved field"), std::string::npos) << outcome.errors;
+  }
+}
+
+}  // namespace
+}  // namespace cdfr

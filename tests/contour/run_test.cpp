@@ -1,0 +1,122 @@
+// Threads, cancel and the sink's own errors.
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "contour/case.h"
+#include "support/meshes.h"
+#include "support/same.h"
+
+namespace cdfr {
+namespace {
+
+Field sphere_field() { return Field::build(test::sphere_mesh(4).view()).value(); }
+
+bool same(const ContourPoint& a, const ContourPoint& b) {
+  return test::same_bits(a.position, b.position) && test::same_bits(a.normal, b.normal) &&
+         a.triangle == b.triangle && test::same_bits(a.error, b.error);
+}
+
+TEST(ContourRun, SamePointsInTheSameOrderForAnyThreads) {
+  const Field field = sphere_field();
+  for (const double distance : {-0.5, 0.0, 0.6}) {
+    cdfr::Run run;
+    run.threads = 1;
+    const auto expected = contour_points(field, distance, {0.06}, run).value();
+    ASSERT_GT(expected.size(), 1000U);
+    for (const unsigned threads : {2U, 7U, 0U}) {
+      run.threads = threads;
+      const auto points = contour_points(field, distance, {0.06}, run).value();
+      ASSERT_EQ(points.size(), expected.size());
+      for (std::size_t i = 0; i < points.size(); ++i) ASSERT_TRUE(same(points[i], expected[i])) << i;
+    }
+  }
+}
+
+TEST(ContourRun, SamePointsFromFieldsBuiltByAnyThreads) {
+  const Mesh mesh = test::sphere_mesh(4);
+  cdfr::Run run;
+  run.threads = 1;
+  const auto expected = contour_points(Field::build(mesh.view(), {}, run).value(), -0.5, {0.1}).value();
+  run.threads = 7;
+  const auto points = contour_points(Field::build(mesh.view(), {}, run).value(), -0.5, {0.1}).value();
+  ASSERT_EQ(points.size(), expected.size());
+  for (std::size_t i = 0; i < points.size(); ++i) ASSERT_TRUE(same(points[i], expected[i])) << i;
+}
+
+struct Ticks {
+  std::atomic<int> left = 0;
+  std::atomic<bool> inside = false, twice = false, disorder = false;
+  double last = 0;
+};
+
+bool count_down(void* context, double done) noexcept {
+  auto& ticks = *static_cast<Ticks*>(context);
+  if (ticks.inside.exchange(true)) ticks.twice = true;
+  if (!(done >= 0 && done <= 1 + 1e-9)) ticks.disorder = true;
+  ticks.last = done;
+  ticks.inside = false;
+  return ticks.left-- > 0;
+}
+
+TEST(ContourRun, TickCancelsEarlyAndLate) {
+  const Field field = sphere_field();
+  for (const int after : {0, 1, 3}) {
+    Ticks ticks;
+    ticks.left = after;
+    cdfr::Run run;
+    run.threads = 2;
+    run.tick = count_down;
+    run.context = &ticks;
+    const auto result = contour_points(field, -0.3, {0.02}, run);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, Code::cancelled);
+    EXPECT_FALSE(ticks.twice);
+  }
+}
+
+TEST(ContourRun, TickIsToldTheShareDone) {
+  const Field field = sphere_field();
+  Ticks ticks;
+  ticks.left = 1 << 30;
+  cdfr::Run run;
+  run.threads = 1;
+  run.tick = count_down;
+  run.context = &ticks;
+  ASSERT_TRUE(contour_points(field, -0.3, {0.1}, run));
+  EXPECT_LT(ticks.left, 1 << 30);
+  EXPECT_FALSE(ticks.twice);
+  EXPECT_FALSE(ticks.disorder);
+  EXPECT_GT(ticks.last, 0.9);
+}
+
+class Refusing : public PointSink {
+ public:
+  explicit Refusing(int blocks) : blocks_(blocks) {}
+  Result<void> write(std::span<const ContourPoint> points) override {
+    EXPECT_FALSE(points.empty());
+    EXPECT_FALSE(refused_) << "written to after an error";
+    if (blocks_-- > 0) return {};
+    refused_ = true;
+    return Error{Code::file_write, 42, "the disk is full"};
+  }
+
+ private:
+  int blocks_;
+  bool refused_ = false;
+};
+
+TEST(ContourRun, ErrorOfTheSinkEndsItAndIsPassedOn) {
+  const Field field = sphere_field();
+  for (const int blocks : {0, 1}) {
+    Refusing sink(blocks);
+    const auto result = contour_points(field, -0.3, {0.05}, sink);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, Code::file_write);
+    EXPECT_EQ(result.error().where, 42U);
+    EXPECT_EQ(result.error().text, "the disk is full");
+  }
+}
+
+}  // namespace
+}  // namespace cdfr

@@ -1,0 +1,71 @@
+#include "input.h"
+
+#include <array>
+#include <chrono>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+#include "cdfr/mesh/audit.h"
+#include "cdfr/mesh/read.h"
+#include "cdfr/store/store.h"
+#include "output_target.h"
+#include "steering.h"
+#include "stop.h"
+
+namespace cdfr::command {
+namespace {
+
+constexpr std::string_view saved_magic = "cdfr\r\n\x1a\n";
+
+constexpr const char* no_inside =
+    "the field is unsigned (sign: none), so there is no inside and no depth; see cdfr audit";
+
+/// The reason why a field of this mesh would have no inside, found before the long work.
+void demand_inside(const std::filesystem::path& path, const Mesh& mesh, Sign sign) {
+  if (sign == Sign::none) stop_failed(path, no_inside);
+  if (sign != Sign::automatic) return;
+  const MeshReport report = need(audit(mesh.view()), path);
+  if (!report.closed()) {
+    stop_failed(path, "the mesh is not closed, so there is no inside and no depth; see cdfr audit");
+  }
+}
+
+Input build_mesh(const std::filesystem::path& path, const Settings& settings, Demand demand) {
+  Mesh mesh = need(read_mesh(path), path);
+  if (demand == Demand::inside) demand_inside(path, mesh, settings.build.sign);
+  Steering steering(settings, "building");
+  Field field = need(Field::build(mesh.view(), settings.build, steering.run()), path);
+  return {std::move(field), settings.unit, std::move(mesh)};
+}
+
+Input load_field(const std::filesystem::path& path, const Settings& settings) {
+  if (const std::string option = settings.given_build_option(); !option.empty()) {
+    stop_usage(option + " means nothing here: '" + path.string() + "' is a saved field");
+  }
+  StoredField stored = need(load(path), path);
+  std::string unit = settings.unit.empty() ? std::move(stored.unit) : settings.unit;
+  return {std::move(stored.field), std::move(unit), std::nullopt};
+}
+
+}  // namespace
+
+bool is_saved_field(const std::filesystem::path& path) {
+  if (extension_of(path) == ".cdfr") return true;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
+  std::array<char, saved_magic.size()> first{};
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(first.data(), first.size());
+  return stream && std::string_view(first.data(), first.size()) == saved_magic;
+}
+
+Input open_input(const std::filesystem::path& path, const Settings& settings, Demand demand) {
+  const auto start = std::chrono::steady_clock::now();
+  Input input = is_saved_field(path) ? load_field(path, settings) : build_mesh(path, settings, demand);
+  if (demand == Demand::inside && input.field.sign() == Sign::none) stop_failed(path, no_inside);
+  input.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return input;
+}
+
+}  // namespace cdfr::command

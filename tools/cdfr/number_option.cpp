@@ -1,0 +1,54 @@
+#include "number_option.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "number_text.h"
+
+namespace cdfr::command {
+namespace {
+
+/// The whole word as a number; a leading + is taken too, as people write it.
+template <class Number>
+bool parse(std::string_view word, Number& value) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  const char* end = word.data() + word.size();
+  const auto [stopped, error] = std::from_chars(word.data(), end, value);
+  return error == std::errc() && stopped == end;
+}
+
+std::string range_text(const Range& range) {
+  const Range all;
+  if (range.least == all.least && range.greatest == all.greatest) return "a finite number";
+  if (range.greatest == all.greatest) return "a number from " + short_text(range.least);
+  return "a number from " + short_text(range.least) + " to " + short_text(range.greatest);
+}
+
+}  // namespace
+
+CLI::Option* add_number(CLI::App& verb, const std::string& name, double& target, const Range& range,
+                        const std::string& description) {
+  const auto set = [name, range, &target](const std::string& word) {
+    double value = 0;
+    if (!parse(word, value) || !(value >= range.least && value <= range.greatest)) {
+      throw CLI::ValidationError(name, "'" + word + "' is not " + range_text(range));
+    }
+    target = value;
+  };
+  return verb.add_option_function<std::string>(name, set, description)->type_name("NUMBER");
+}
+
+CLI::Option* add_count(CLI::App& verb, const std::string& name, int& target, int least, int greatest,
+                       const std::string& description) {
+  const auto set = [name, least, greatest, &target](const std::string& word) {
+    int value = 0;
+    if (!parse(word, value) || value < least || value > greatest) {
+      throw CLI::ValidationError(name, "'" + word + "' is not a whole number from " + std::to_string(least) +
+                                           " to " + std::to_string(greatest));
+    }
+    target = value;
+  };
+  return verb.add_option_function<std::string>(name, set, description)->type_name("COUNT");
+}
+
+}  // namespace cdfr::command

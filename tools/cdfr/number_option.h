@@ -1,0 +1,23 @@
+/// Options that are numbers: the whole word, decimal, in its range, or wrong usage.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <limits>
+#include <string>
+
+namespace cdfr::command {
+
+/// A closed range.
+struct Range {
+  double least = -std::numeric_limits<double>::max();
+  double greatest = std::numeric_limits<double>::max();
+};
+
+/// Rounded once, to the nearest double; never NaN or infinite.
+CLI::Option* add_number(CLI::App& verb, const std::string& name, double& target, const Range& range,
+                        const std::string& description);
+
+CLI::Option* add_count(CLI::App& verb, const std::string& name, int& target, int least, int greatest,
+                       const std::string& description);
+
+}  // namespace cdfr::command

@@ -1,0 +1,104 @@
+#include "settings.h"
+
+#include <limits>
+#include <map>
+
+#include "number_option.h"
+#include "unit.h"
+
+namespace cdfr::command {
+namespace {
+
+constexpr int most_threads = 1024;
+constexpr int deepest_level = 18;
+
+const std::map<std::string, Sign> signs{
+    {"automatic", Sign::automatic}, {"pseudonormal", Sign::pseudonormal}, {"none", Sign::none}};
+const std::map<std::string, Lists> lists_by_name{{"corner", Lists::corner}, {"band", Lists::band}};
+
+/// An option whose value is one of a few words.
+template <class Value>
+CLI::Option* add_choice(CLI::App& verb, const std::string& name, Value& target,
+                        const std::map<std::string, Value>& choices, const std::string& description) {
+  const auto set = [name, &target, &choices](const std::string& word) {
+    const auto found = choices.find(word);
+    if (found != choices.end()) return void(target = found->second);
+    std::string known;
+    for (const auto& choice : choices) known += (known.empty() ? "" : ", ") + choice.first;
+    throw CLI::ValidationError(name, "'" + word + "' is none of " + known);
+  };
+  return verb.add_option_function<std::string>(name, set, description)->type_name("WORD");
+}
+
+}  // namespace
+
+std::string Settings::given_build_option() const {
+  for (const CLI::Option* option : build_options) {
+    if (option->count() > 0) return option->get_name();
+  }
+  return {};
+}
+
+void add_report_options(CLI::App& verb, Settings& settings) {
+  verb.add_flag("--json", settings.json, "Print one JSON object on standard output and nothing else there");
+  verb.add_flag("--quiet", settings.quiet, "No progress, notes or summary; errors are still told");
+}
+
+void add_threads_option(CLI::App& verb, Settings& settings) {
+  add_count(verb, "--threads", settings.threads, 0, most_threads,
+            "Worker threads; 0 takes what the machine has. Results never depend on it");
+}
+
+void add_unit_option(CLI::App& verb, Settings& settings) {
+  const auto set = [&settings](const std::string& word) {
+    if (const std::string fault = unit_fault(word); !fault.empty()) {
+      throw CLI::ValidationError("--unit", fault);
+    }
+    settings.unit = word;
+  };
+  verb.add_option_function<std::string>("--unit", set, "Label of the mesh's unit of length, such as mm")
+      ->type_name("NAME");
+}
+
+void add_build_options(CLI::App& verb, Settings& settings) {
+  BuildOptions& build = settings.build;
+  settings.build_options = {
+      add_count(verb, "--max-triangles", build.max_triangles_per_leaf, 1, std::numeric_limits<int>::max(),
+                "A cell with a longer list splits, if splitting pays (64)"),
+      add_count(verb, "--max-level", build.max_level, 0, deepest_level, "Deepest level of a leaf (6)"),
+      add_number(verb, "--margin", build.margin, {0, 1},
+                 "The domain is the part's box grown by this share of its longest side (0.05)"),
+      add_number(verb, "--gain", build.gain, {std::numeric_limits<double>::min(), 1},
+                 "A split stays if the children's mean list is at most this share of the parent's (0.75)"),
+      add_choice(verb, "--lists", build.lists, lists_by_name,
+                 "Which triangles a leaf keeps: corner (the tight rule) or band (the source paper's)"),
+      add_choice(verb, "--sign", build.sign, signs,
+                 "How inside is told from outside: automatic, pseudonormal or none"),
+  };
+  for (const CLI::Option* option : settings.build_options) {
+    verb.get_option(option->get_name())->group("Build options (where INPUT is a mesh)");
+  }
+}
+
+void add_field_options(CLI::App& verb, Settings& settings) {
+  add_report_options(verb, settings);
+  add_threads_option(verb, settings);
+  add_unit_option(verb, settings);
+  add_build_options(verb, settings);
+}
+
+const char* sign_text(Sign sign) {
+  switch (sign) {
+    case Sign::automatic:
+      return "automatic";
+    case Sign::pseudonormal:
+      return "pseudonormal";
+    case Sign::none:
+      return "none";
+  }
+  return "unknown";
+}
+
+const char* lists_text(Lists lists) { return lists == Lists::band ? "band" : "corner"; }
+
+}  // namespace cdfr::command
