@@ -10,12 +10,14 @@
 ///  reaches the
 ///    height, the contour passes within that hair, for along the ray the value grows at most as fast as the
 ///    length.
-///  - otherwise the ray has crossed the medial axis: the cube is halved again, corners are tried as well, and
-///  pieces that
-///    the contour provably misses (exclusion.h) are dropped.
+///  - otherwise the ray has crossed the medial axis: the cube is halved again, depth first. Pieces that the
+///  contour provably
+///    misses (exclusion.h) are dropped; centres and corners are tried as above, until one point of the
+///    contour is found no farther than E/2 from c.
 /// Any x on the contour lies in some cube that passes, within E/2 of its centre, so within E of that cube's
-/// point; in halved cubes a corner's point is within twice the half cube's diagonal, E again. What 2^-10 of a
-/// sub-voxel leaves undecided is returned with an infinite error: nothing says that the contour is near.
+/// point. A cube that 2^-10 of its edge, or a fixed number of trials, leaves undecided gives the place where
+/// the value came closest, with an infinite error: nothing says that the contour is near. It happens where
+/// the height is the depth of a medial sheet to the last bits.
 #pragma once
 
 #include <cstdint>
@@ -23,31 +25,16 @@
 
 #include "cdfr/core/sinks.h"
 #include "cdfr/core/types.h"
+#include "contour/cube.h"
 #include "contour/level.h"
 #include "field/field_data.h"
 
 namespace cdfr {
 
-/// A cube: a leaf of the octree, or one beyond the domain.
-struct Cube {
-  Vec3 lo;
-  double size = 0;
-
-  Vec3 centre() const noexcept { return {lo.x + size / 2, lo.y + size / 2, lo.z + size / 2}; }
-  Cube octant(int child) const noexcept {
-    const double half = size / 2;
-    return {{lo.x + (child & 1 ? half : 0), lo.y + (child & 2 ? half : 0), lo.z + (child & 4 ? half : 0)},
-            half};
-  }
-  double half_diagonal() const noexcept { return 0.8660254037844387 * size; }
-};
-
 struct DescentCounts {
-  std::uint64_t visited = 0, productive = 0, evaluations = 0, undecided = 0;
+  std::uint64_t evaluations = 0, undecided = 0;
 
   void add(const DescentCounts& other) noexcept {
-    visited += other.visited;
-    productive += other.productive;
     evaluations += other.evaluations;
     undecided += other.undecided;
   }
@@ -59,22 +46,29 @@ class Descent {
   Descent(const FieldData& field, const Level& level, double tolerance, std::vector<ContourPoint>& points)
       : field_(field), level_(level), tolerance_(tolerance), points_(points) {}
 
-  /// The whole cube. Counts it as visited if its centre's value allows the contour.
+  /// Precondition: the cube passes.
   void run(const Cube& cube);
   const DescentCounts& counts() const noexcept { return counts_; }
 
  private:
-  bool passes(double value, const Cube& cube) const noexcept;
-  double value_at_centre(const Cube& cube) noexcept;
+  /// What is known of a cube of final size while it is halved.
+  struct Stuck {
+    Cube cube;
+    int trials = 0;
+    bool found = false;
+    bool excluded = true;  ///< so far every piece was
+    double last = 0;       ///< value of the last sample
+    Sample closest;        ///< with the value nearest to the height
+  };
+
   Sample sample(const Vec3& x) noexcept;
-  void descend(const Cube& cube);
   void finish(const Cube& cube);
-  bool put_point(const Sample& at);
-  void put_toward(const Sample& at);
-  bool put_away(const Sample& at);
-  bool put_from_corner(const Cube& cube);
-  void divide(const Cube& cube, int times);
-  void put(const Vec3& position, const Vec3& normal, std::uint32_t triangle, double error);
+  bool put_point(const Sample& at, const Cube& within);
+  bool put_away(const Sample& at, const Cube& within);
+  bool put(const Vec3& position, const Sample& from, double error, const Cube& within);
+  bool try_corners(const Cube& piece, Stuck& stuck);
+  bool try_sample(const Vec3& x, Stuck& stuck);
+  void halve(const Cube& piece, int times, Stuck& stuck);
 
   const FieldData& field_;
   const Level& level_;

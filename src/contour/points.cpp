@@ -14,9 +14,11 @@
 namespace cdfr {
 namespace {
 
-/// Cubes a task takes, and tasks between two writes to the sink: fixed, so that nothing depends on threads.
-constexpr std::size_t cubes_a_task = 32;
-constexpr std::size_t tasks_a_wave = 64;
+/// Regions a task takes, and regions between two writes to the sink: fixed, so that nothing depends on
+/// threads. A region gives a few hundred points as a rule and 16^3 at most, so a wave takes tens of
+/// megabytes.
+constexpr std::size_t regions_a_task = 8;
+constexpr std::size_t regions_a_wave = 512;
 
 double longest_side(const Box& box) noexcept {
   return std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
@@ -31,26 +33,29 @@ Level level_of(const FieldData& field, double distance) noexcept {
 
 struct Found {
   std::vector<ContourPoint> points;
+  std::vector<std::uint64_t> productive;  ///< leaves that gave a point, ascending
   DescentCounts counts;
 };
 
-Found descend_into(const FieldData& field, const Level& level, double tolerance, std::span<const Cube> cubes,
-                   Progress& progress) {
+Found descend_into(const FieldData& field, const Level& level, double tolerance,
+                   std::span<const Region> regions, Progress& progress) {
   Found found;
   Descent descent(field, level, tolerance, found.points);
-  for (const Cube& cube : cubes) {
-    if (progress.cancelled()) break;
-    descent.run(cube);
+  for (const Region& region : regions) {
+    if (!progress.poll()) break;
+    const std::size_t before = found.points.size();
+    descent.run(region.cube);
+    if (found.points.size() > before && region.leaf != Region::no_leaf)
+      found.productive.push_back(region.leaf);
   }
   found.counts = descent.counts();
-  progress.step();
   return found;
 }
 
 void describe(const std::vector<ContourPoint>& points, ContourReport& report) {
   report.points += points.size();
   for (const ContourPoint& p : points) {
-    report.max_error = std::max(report.max_error, p.error);
+    if (std::isfinite(p.error)) report.max_error = std::max(report.max_error, p.error);
     report.box = {{std::min(report.box.lo.x, p.position.x), std::min(report.box.lo.y, p.position.y),
                    std::min(report.box.lo.z, p.position.z)},
                   {std::max(report.box.hi.x, p.position.x), std::max(report.box.hi.y, p.position.y),
@@ -76,39 +81,39 @@ class Extraction {
   }
 
   Result<ContourReport> run() {
-    const Regions regions = regions_of(field_, level_);
-    const auto tasks = [](std::size_t cubes) { return (cubes + cubes_a_task - 1) / cubes_a_task; };
-    progress_.phase(0, 1, static_cast<double>(tasks(regions.leaves.size()) + tasks(regions.beyond.size())));
-    DescentCounts leaves, beyond;
-    if (Result<void> done = extract(regions.leaves, leaves); !done) return done.error();
-    if (Result<void> done = extract(regions.beyond, beyond); !done) return done.error();
-    report_.visited = leaves.visited;
-    report_.productive = leaves.productive;
-    leaves.add(beyond);
-    report_.evaluations = leaves.evaluations;
-    report_.undecided = leaves.undecided;
+    const RegionCounts counts =
+        for_each_region(field_, level_, tolerance_, progress_, [this](const Region& region) {
+          wave_.push_back(region);
+          if (wave_.size() == regions_a_wave) flush();
+          return static_cast<bool>(written_) && !progress_.cancelled();
+        });
+    if (!progress_.cancelled()) flush();
+    if (progress_.cancelled()) return Progress::error();
+    if (!written_) return written_.error();
+    report_.visited = counts.visited;
+    report_.evaluations += counts.evaluations;
     return report_;
   }
 
  private:
-  Result<void> extract(std::span<const Cube> cubes, DescentCounts& counts) {
-    for (std::size_t first = 0; first < cubes.size(); first += cubes_a_task * tasks_a_wave) {
-      const std::span<const Cube> wave =
-          cubes.subspan(first, std::min(cubes.size() - first, cubes_a_task * tasks_a_wave));
-      std::vector<Found> found((wave.size() + cubes_a_task - 1) / cubes_a_task);
-      for_chunks(wave.size(), cubes_a_task, [&](std::size_t begin, std::size_t end) {
-        found[begin / cubes_a_task] =
-            descend_into(field_, level_, tolerance_, wave.subspan(begin, end - begin), progress_);
-      });
-      if (progress_.cancelled()) return Progress::error();
-      for (const Found& part : found) {
-        counts.add(part.counts);
-        describe(part.points, report_);
-        if (part.points.empty()) continue;
-        if (Result<void> written = sink_.write(part.points); !written) return written;
+  void flush() {
+    std::vector<Found> found((wave_.size() + regions_a_task - 1) / regions_a_task);
+    for_chunks(wave_.size(), regions_a_task, [&](std::size_t first, std::size_t end) {
+      const std::span<const Region> task = std::span<const Region>(wave_).subspan(first, end - first);
+      found[first / regions_a_task] = descend_into(field_, level_, tolerance_, task, progress_);
+    });
+    wave_.clear();
+    for (const Found& part : found) {
+      if (progress_.cancelled() || !written_) return;
+      report_.evaluations += part.counts.evaluations;
+      report_.undecided += part.counts.undecided;
+      for (const std::uint64_t leaf : part.productive) {
+        report_.productive += leaf != last_productive_;
+        last_productive_ = leaf;
       }
+      describe(part.points, report_);
+      if (!part.points.empty()) written_ = sink_.write(part.points);
     }
-    return {};
   }
 
   const FieldData& field_;
@@ -116,6 +121,9 @@ class Extraction {
   double tolerance_;
   PointSink& sink_;
   Progress& progress_;
+  std::vector<Region> wave_;
+  Result<void> written_;
+  std::uint64_t last_productive_ = Region::no_leaf;
   ContourReport report_;
 };
 

@@ -2,79 +2,126 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "core/parallel.h"
 #include "field/leaves.h"
 #include "geometry/box_distance.h"
 
 namespace cdfr {
 namespace {
 
-bool may_reach(const Block& block, const LeafRecord& leaf, const Cube& cube, const Level& level,
-               double unit) noexcept {
-  const double least = block.entries[leaf.first].distance() * unit;
-  return least <= level.height + cube.half_diagonal() + level.rounding;
-}
-
-/// Walks down from a cube that holds all the contour; what lies in the brick is left to the leaves.
-class Beyond {
+class Regions {
  public:
-  Beyond(const FieldData& field, const Level& level, std::vector<Cube>& found)
-      : field_(field), level_(level), domain_(field.tree.lattice.domain()), found_(found) {}
+  Regions(const FieldData& field, const Level& level, double tolerance, Progress& progress,
+          const std::function<bool(const Region&)>& take)
+      : field_(field), level_(level), tolerance_(tolerance), progress_(progress), take_(take) {}
 
-  void walk(const Cube& cube) {
-    if (inside_domain(cube)) return;
-    const double value = value_at(field_, level_, cube.centre());
-    if (std::fabs(value - level_.height) > cube.half_diagonal() + level_.rounding) return;
-    if (cube.size <= field_.tree.lattice.edge) {
-      found_.push_back(cube);
-      return;
+  RegionCounts run() {
+    const std::vector<std::vector<Cube>> visited = visited_leaves();
+    double count = 0;
+    for (const auto& leaves : visited) count += static_cast<double>(leaves.size());
+    progress_.phase(0, 1, count);
+    for (const auto& leaves : visited) {
+      for (const Cube& cube : leaves) {
+        if (!split(cube, counts_.visited++)) return counts_;
+        progress_.step();
+      }
     }
-    for (int child = 0; child < 8; ++child) walk(cube.octant(child));
+    if (reaches_beyond()) beyond(enclosing());
+    return counts_;
   }
 
  private:
-  bool inside_domain(const Cube& cube) const noexcept {
+  /// Of each block, the leaves that pass. A leaf whose list starts too far away is not even sampled.
+  std::vector<std::vector<Cube>> visited_leaves() {
+    const std::vector<Block>& blocks = field_.tree.blocks;
+    std::vector<std::vector<Cube>> visited(blocks.size());
+    std::vector<std::uint64_t> evaluations(blocks.size());
+    for_chunks(blocks.size(), 1, [&](std::size_t i, std::size_t) {
+      for_each_leaf(blocks[i], [&](const Cell& cell, std::uint32_t number) {
+        const Lattice& lattice = field_.tree.lattice;
+        const Cube cube{lattice.box(cell).lo, lattice.size(cell.level)};
+        const LeafRecord& leaf = blocks[i].leaves[number];
+        const double least = blocks[i].entries[leaf.first].distance() * lattice.edge;
+        if (least > level_.height + cube.half_diagonal() + level_.rounding || !progress_.poll()) return;
+        ++evaluations[i];
+        if (passes(level_, value_at(field_, level_, cube.centre()), cube)) visited[i].push_back(cube);
+      });
+    });
+    for (const std::uint64_t n : evaluations) counts_.evaluations += n;
+    return visited;
+  }
+
+  bool small_enough(const Cube& cube) const noexcept {
+    return std::ldexp(cube.half_diagonal(), -region_depth) <= tolerance_ / 2;
+  }
+
+  bool passes_at_centre(const Cube& cube) noexcept {
+    ++counts_.evaluations;
+    return passes(level_, value_at(field_, level_, cube.centre()), cube);
+  }
+
+  /// Precondition: the cube passes.
+  bool split(const Cube& cube, std::uint64_t leaf) {
+    if (!progress_.poll()) return false;
+    if (small_enough(cube)) return take_({cube, leaf});
+    for (int child = 0; child < 8; ++child) {
+      const Cube octant = cube.octant(child);
+      if (passes_at_centre(octant) && !split(octant, leaf)) return false;
+    }
+    return true;
+  }
+
+  bool reaches_beyond() const noexcept {
+    const Box domain = field_.tree.lattice.domain();
+    const Box& box = field_.bounds();
+    const double reach = level_.side > 0 ? level_.height + level_.rounding : 0;
+    return !contains(domain, {box.lo.x - reach, box.lo.y - reach, box.lo.z - reach}) ||
+           !contains(domain, {box.hi.x + reach, box.hi.y + reach, box.hi.z + reach});
+  }
+
+  /// The smallest power of two of the lattice's cubes, around the brick, that reaches `height` beyond the
+  /// mesh. Its octants fall on the lattice.
+  Cube enclosing() const noexcept {
+    const Lattice& lattice = field_.tree.lattice;
+    const Box& box = field_.bounds();
+    const double longest = std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
+    double size = 16 * lattice.edge;
+    while (size < 4 * (level_.height + longest)) size *= 2;
+    const double before = size / 2 - 4 * lattice.edge;
+    return {{lattice.origin.x - before, lattice.origin.y - before, lattice.origin.z - before}, size};
+  }
+
+  /// What lies in the brick was left to the leaves; cubes across its border are halved until they are on one
+  /// side.
+  bool beyond(const Cube& cube) {
+    const Box domain = field_.tree.lattice.domain();
     const Vec3 hi{cube.lo.x + cube.size, cube.lo.y + cube.size, cube.lo.z + cube.size};
-    return contains(domain_, cube.lo) && contains(domain_, hi);
+    if (contains(domain, cube.lo) && contains(domain, hi)) return true;
+    if (!passes_at_centre(cube)) return true;
+    const bool outside = cube.lo.x >= domain.hi.x || hi.x <= domain.lo.x || cube.lo.y >= domain.hi.y ||
+                         hi.y <= domain.lo.y || cube.lo.z >= domain.hi.z || hi.z <= domain.lo.z;
+    if (outside) return split(cube, Region::no_leaf);
+    for (int child = 0; child < 8; ++child) {
+      if (!beyond(cube.octant(child))) return false;
+    }
+    return true;
   }
 
   const FieldData& field_;
   const Level& level_;
-  Box domain_;
-  std::vector<Cube>& found_;
+  double tolerance_;
+  Progress& progress_;
+  const std::function<bool(const Region&)>& take_;
+  RegionCounts counts_;
 };
-
-/// The smallest power of two of the lattice's cubes, around the brick, that reaches `height` beyond the mesh.
-/// Its octants fall on the lattice.
-Cube enclosing(const FieldData& field, const Level& level) noexcept {
-  const Lattice& lattice = field.tree.lattice;
-  const Box& box = field.bounds();
-  const double longest = std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
-  double size = 16 * lattice.edge;
-  while (size < 4 * (level.height + longest)) size *= 2;
-  const double before = size / 2 - 4 * lattice.edge;
-  return {{lattice.origin.x - before, lattice.origin.y - before, lattice.origin.z - before}, size};
-}
 
 }  // namespace
 
-Regions regions_of(const FieldData& field, const Level& level) {
-  Regions regions;
-  const Lattice& lattice = field.tree.lattice;
-  for (const Block& block : field.tree.blocks) {
-    for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
-      const Cube cube{lattice.box(cell).lo, lattice.size(cell.level)};
-      if (may_reach(block, block.leaves[number], cube, level, lattice.edge)) regions.leaves.push_back(cube);
-    });
-  }
-  const Box domain = lattice.domain();
-  const Box& box = field.bounds();
-  const double reach = level.side > 0 ? level.height + level.rounding : 0;
-  const bool leaves_hold_all = box.lo.x - reach >= domain.lo.x && box.hi.x + reach <= domain.hi.x &&
-                               box.lo.y - reach >= domain.lo.y && box.hi.y + reach <= domain.hi.y &&
-                               box.lo.z - reach >= domain.lo.z && box.hi.z + reach <= domain.hi.z;
-  if (!leaves_hold_all) Beyond(field, level, regions.beyond).walk(enclosing(field, level));
-  return regions;
+RegionCounts for_each_region(const FieldData& field, const Level& level, double tolerance, Progress& progress,
+                             const std::function<bool(const Region&)>& take) {
+  return Regions(field, level, tolerance, progress, take).run();
 }
 
 }  // namespace cdfr

@@ -1,22 +1,38 @@
-/// The cubes that a contour may pass through: leaves of the octree, and cubes of the brick's size beyond it.
+/// The cubes that a contour may pass through, one after another: pieces of leaves, then of the space beyond
+/// the octree.
 #pragma once
 
 #include <cstddef>
-#include <vector>
+#include <cstdint>
+#include <functional>
 
-#include "contour/descent.h"
+#include "contour/cube.h"
 #include "contour/level.h"
+#include "core/progress.h"
 #include "field/field_data.h"
 
 namespace cdfr {
 
-struct Regions {
-  std::vector<Cube> leaves;  ///< in Morton order
-  std::vector<Cube> beyond;  ///< in Morton order of a larger cube
+/// A cube to descend into. Pieces of one leaf carry the same number, counted among visited leaves; no_leaf
+/// beyond the domain.
+struct Region {
+  Cube cube;
+  std::uint64_t leaf = 0;
+
+  static constexpr std::uint64_t no_leaf = ~std::uint64_t{0};
 };
 
-/// Leaves whose list starts farther away than the contour are left out, and cubes that the slope of 1 rules
-/// out. O(leaves + cubes beyond the domain that the contour meets).
-Regions regions_of(const FieldData& field, const Level& level);
+/// Halvings that a region leaves to its descent: bounds the points that one region can give.
+inline constexpr int region_depth = 4;
+
+struct RegionCounts {
+  std::uint64_t visited = 0;  ///< leaves whose centre's value allows the contour
+  std::uint64_t evaluations = 0;
+};
+
+/// Calls take(region) in Morton order, leaves first, until it returns false. Leaves are tested in parallel,
+/// nothing but one byte a leaf is kept. `tolerance` tells how small the final cubes are.
+RegionCounts for_each_region(const FieldData& field, const Level& level, double tolerance, Progress& progress,
+                             const std::function<bool(const Region&)>& take);
 
 }  // namespace cdfr

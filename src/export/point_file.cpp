@@ -51,7 +51,7 @@ class FormattedPointFile final : public PointFile {
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
       const ContourPoint& point = points[i];
-      if (finite(point.position) && finite(point.normal) && std::isfinite(point.error)) continue;
+      if (finite(point.position) && finite(point.normal) && !std::isnan(point.error)) continue;
       return Error{Code::not_finite, count_ + i, "point " + std::to_string(count_ + i) + " is not finite"};
     }
     return {};

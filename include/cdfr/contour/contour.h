@@ -13,7 +13,8 @@
 namespace cdfr {
 
 struct ContourOptions {
-  /// Largest distance from any point of the true contour to an extracted one; 0 takes the longest side / 1000.
+  /// Largest distance from any point of the true contour to an extracted one; 0 takes the longest side /
+  /// 1000.
   double tolerance = 0;
 };
 
@@ -23,22 +24,24 @@ struct ContourReport {
   std::uint64_t productive = 0;   ///< those that gave a point
   std::uint64_t evaluations = 0;  ///< of the distance
   std::uint64_t points = 0;
-  std::uint64_t undecided = 0;    ///< points returned with an error because 2^-10 of a sub-voxel did not decide
-  double subvoxel = 0;            ///< edge of the smallest sub-voxel used at leaf level, in the mesh's unit
-  double max_error = 0;           ///< largest ContourPoint::error
-  Box box;                        ///< of the points; lo > hi if there are none
+  std::uint64_t undecided = 0;  ///< points with an infinite error: 2^-10 of a sub-voxel did not decide
+  double subvoxel = 0;          ///< edge of the smallest sub-voxel used at leaf level, in the mesh's unit
+  double max_error = 0;         ///< largest finite ContourPoint::error
+  Box box;                      ///< of the points; lo > hi if there are none
 };
 
-/// Points of the contour {x : signed distance = distance}; a depth t is distance -t. No hole: within the tolerance of
-/// every point of the true contour there is a point. No ghost: the true contour passes within each point's error.
-/// Points come in Morton order, the same for any thread count. An empty contour is an answer, not an error.
-/// Errors: bad_option (distance or tolerance not finite, tolerance below 2^-40 of the longest side), not_closed (a negative distance of
-/// an unsigned field), cancelled, and the sink's own.
-CDFR_API Result<ContourReport> contour_points(const Field& field, double distance, const ContourOptions& options,
-                                              PointSink& sink, const Run& run = {});
+/// Points of the contour {x : signed distance = distance}; a depth t is distance -t. No hole: within the
+/// tolerance of every point of the true contour there is a point. No ghost: the true contour passes within
+/// each point's error. Points come in Morton order, the same for any thread count. An empty contour is an
+/// answer, not an error. Errors: bad_option (distance or tolerance not finite, tolerance below 2^-40 of the
+/// longest side), not_closed (a negative distance of an unsigned field), cancelled, and the sink's own.
+CDFR_API Result<ContourReport> contour_points(const Field& field, double distance,
+                                              const ContourOptions& options, PointSink& sink,
+                                              const Run& run = {});
 
 /// The same, collected.
 CDFR_API Result<std::vector<ContourPoint>> contour_points(const Field& field, double distance,
-                                                          const ContourOptions& options = {}, const Run& run = {});
+                                                          const ContourOptions& options = {},
+                                                          const Run& run = {});
 
 }  // namespace cdfr

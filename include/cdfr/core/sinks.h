@@ -14,7 +14,7 @@ struct ContourPoint {
   Vec3 position;
   Vec3 normal;                        ///< gradient of the signed distance there, unit length
   std::uint32_t triangle = no_index;  ///< base triangle: its number in the input file
-  double error = 0;                   ///< in the mesh's unit
+  double error = 0;                   ///< in the mesh's unit; infinite where nothing says that the contour is near
 };
 
 /// Receives blocks of points, in a fixed order, one call at a time.
