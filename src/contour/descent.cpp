@@ -43,11 +43,11 @@ void Descent::run(const Cube& cube) {
 void Descent::finish(const Cube& cube) {
   const Sample centre = sample(cube.centre());
   if (!passes(level_, centre.value, cube) || put_point(centre, cube)) return;
-  Stuck stuck{cube, 0, false, true, centre.value, centre};
+  Stuck stuck{cube, centre, centre};
   halve(cube, most_halvings, stuck);
-  if (stuck.found || stuck.excluded) return;
+  if (stuck.found || stuck.excluded || put_from_highest(stuck)) return;
   ++counts_.undecided;
-  const Sample& at = stuck.closest;
+  const Sample& at = stuck.highest;
   points_.push_back({at.position, at.gradient, at.triangle, std::numeric_limits<double>::infinity()});
 }
 
@@ -72,7 +72,7 @@ bool Descent::put_away(const Sample& at, const Cube& within) {
 
 /// A point serves a cube if it is within E/2 of the centre: then it is within E of all of the cube.
 bool Descent::put(const Vec3& position, const Sample& from, double error, const Cube& within) {
-  if (distance_apart(position, within.centre()) > tolerance_ / 2 + level_.rounding) return false;
+  if (distance_apart(position, within.centre()) > tolerance_ / 2 + 16 * level_.rounding) return false;
   points_.push_back({position, from.gradient, from.triangle, error});
   return true;
 }
@@ -81,10 +81,41 @@ bool Descent::try_sample(const Vec3& x, Stuck& stuck) {
   const Sample at = sample(x);
   ++stuck.trials;
   stuck.last = at.value;
-  if (std::fabs(at.value - level_.height) < std::fabs(stuck.closest.value - level_.height))
-    stuck.closest = at;
-  stuck.found = put_point(at, stuck.cube);
+  if (at.value < level_.height && at.value > stuck.highest.value) stuck.highest = at;
+  stuck.found =
+      put_point(at, stuck.cube) || (at.value >= level_.height && put_between(stuck.centre, at, stuck.cube));
   return stuck.found;
+}
+
+/// The value crosses the height between the two samples, both of the cube: halved to where it does.
+bool Descent::put_between(const Sample& below, const Sample& above, const Cube& within) {
+  Eigen::Vector3d low = to_eigen(below.position);
+  Sample high = above;
+  double apart = 0;
+  for (;;) {
+    apart = (to_eigen(high.position) - low).norm();
+    if (apart <= level_.rounding) break;
+    const Sample middle = sample(from_eigen((low + to_eigen(high.position)) / 2));
+    if (middle.value < level_.height) {
+      low = to_eigen(middle.position);
+    } else {
+      high = middle;
+    }
+  }
+  return put(high.position, high, apart + level_.rounding, within);
+}
+
+/// Where the contour touches the cube from outside, the highest sample is at height but for rounding: a hair
+/// farther, in one of 26 directions, the value is above it.
+bool Descent::put_from_highest(const Stuck& stuck) {
+  const double hair = 8 * level_.rounding;
+  if (stuck.highest.value < level_.height - hair) return false;
+  for (int direction = 0; direction < 27; ++direction) {
+    const Eigen::Vector3d step(direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1);
+    const Sample at = sample(from_eigen(to_eigen(stuck.highest.position) + hair * step));
+    if (at.value >= level_.height && put_between(stuck.highest, at, stuck.cube)) return true;
+  }
+  return false;
 }
 
 bool Descent::try_corners(const Cube& piece, Stuck& stuck) {
@@ -102,7 +133,7 @@ void Descent::halve(const Cube& piece, int times, Stuck& stuck) {
   if (most < level_.height) return;
   if (try_corners(piece, stuck)) return;
   // No sample can tell a largest value from the height by less than rounding.
-  const bool hopeless = most - stuck.closest.value < 4 * level_.rounding;
+  const bool hopeless = most - stuck.highest.value < 4 * level_.rounding;
   if (times == 0 || hopeless || stuck.trials >= most_trials) {
     stuck.excluded = false;
     return;

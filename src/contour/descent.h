@@ -54,11 +54,12 @@ class Descent {
   /// What is known of a cube of final size while it is halved.
   struct Stuck {
     Cube cube;
+    Sample centre;   ///< below the height
+    Sample highest;  ///< of those below the height
     int trials = 0;
+    double last = 0;  ///< value of the last sample
     bool found = false;
     bool excluded = true;  ///< so far every piece was
-    double last = 0;       ///< value of the last sample
-    Sample closest;        ///< with the value nearest to the height
   };
 
   Sample sample(const Vec3& x) noexcept;
@@ -66,6 +67,8 @@ class Descent {
   bool put_point(const Sample& at, const Cube& within);
   bool put_away(const Sample& at, const Cube& within);
   bool put(const Vec3& position, const Sample& from, double error, const Cube& within);
+  bool put_between(const Sample& below, const Sample& above, const Cube& within);
+  bool put_from_highest(const Stuck& stuck);
   bool try_corners(const Cube& piece, Stuck& stuck);
   bool try_sample(const Vec3& x, Stuck& stuck);
   void halve(const Cube& piece, int times, Stuck& stuck);

@@ -40,7 +40,7 @@ void expect_report_fits(const Contour& contour) {
               std::min(box.lo.z, p.position.z)};
     box.hi = {std::max(box.hi.x, p.position.x), std::max(box.hi.y, p.position.y),
               std::max(box.hi.z, p.position.z)};
-    largest = std::max(largest, p.error);
+    if (std::isfinite(p.error)) largest = std::max(largest, p.error);
     undecided += !std::isfinite(p.error);
   }
   EXPECT_EQ(report.box, box);

@@ -79,8 +79,9 @@ TEST(ContourOptions, NoToleranceIsAThousandthOfTheLongestSide) {
 
 TEST(ContourOptions, OddTolerances) {
   const Case cube(test::box_mesh({{0.1, 0.2, 0.3}, {1.1, 1.2, 1.3}}));
-  for (const double tolerance : {0.023, 0.037, 1.0 / 7, 0.5, std::sqrt(3.0), 10.0}) {
+  for (const double tolerance : {0.023, 0.037, 1.0 / 7, 0.5, std::sqrt(3.0) / 16, std::sqrt(3.0), 10.0}) {
     const Contour contour = test::contour_of(cube.field, -0.2, tolerance);
+    EXPECT_EQ(contour.report.undecided, 0U) << tolerance;
     EXPECT_LE(std::sqrt(3.0) / 2 * contour.report.subvoxel, tolerance / 2 * (1 + 1e-15));
     test::expect_true_points(cube, contour, 1 + contour.points.size() / 1000);
     test::expect_covered(contour, test::true_contour(cube, -0.2, cube.field.bounds(), 3000, 34));

@@ -46,10 +46,10 @@ void check_real(const char* file, std::initializer_list<double> shares, double t
     const Contour contour = test::contour_of(part.field, share * longest, tolerance * longest);
     EXPECT_EQ(contour.report.undecided, 0U);
     ASSERT_FALSE(contour.points.empty());
-    test::expect_true_points(part, contour, 1 + contour.points.size() / 300);
+    test::expect_true_points(part, contour, 1 + contour.points.size() / 200);
     const double grown = share > 0 ? 1.1 + 4 * share : 1;
     test::expect_covered(contour,
-                         test::true_contour(part, share * longest, test::scaled(box, grown), 2500, 42));
+                         test::true_contour(part, share * longest, test::scaled(box, grown), 1500, 42));
   }
 }
 
