@@ -1,10 +1,12 @@
 #include "store/check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "field/leaves.h"
 #include "geometry/query_range.h"
 
 namespace cdfr {
@@ -163,10 +165,26 @@ Result<void> check_blocks(const FieldData& field) {
   return {};
 }
 
+/// One row a level, from 0 to the deepest level that has a leaf or deeper.
+Result<void> check_levels(const FieldData& field) {
+  const std::vector<LevelStats>& levels = field.tree.levels;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (levels[i].level != static_cast<int>(i)) return refusal(i, "levels: out of order");
+  }
+  int deepest = 0;
+  for (const Block& block : field.tree.blocks) {
+    for_each_leaf(block, [&](const Cell& cell, std::uint32_t) { deepest = std::max(deepest, cell.level); });
+  }
+  if (levels.size() <= static_cast<std::size_t>(deepest) || levels.size() > deepest_level + 1) {
+    return refusal(levels.size(), "levels: count does not fit the leaves");
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> check_field(const FieldData& field) {
-  for (const auto check : {check_lattice, check_triangles, check_bvh, check_blocks}) {
+  for (const auto check : {check_lattice, check_triangles, check_bvh, check_blocks, check_levels}) {
     if (Result<void> good = check(field); !good) return good;
   }
   return {};
