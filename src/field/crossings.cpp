@@ -1,8 +1,8 @@
 #include "field/crossings.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 
 #include "geometry/box_distance.h"
@@ -104,7 +104,8 @@ int winding_by_crossings(const Vec3& p, SearchSpace space) noexcept {
     const Segment s{p, {p.x + far * d.x, p.y + far * d.y, p.z + far * d.z}};
     if (const std::optional<int> winding = winding_along(s, space)) return *winding;
   }
-  std::abort();  // Our own bug: 48 directions that all meet an edge exactly.
+  assert(false && "48 directions that all meet an edge exactly");
+  return 0;
 }
 
 }  // namespace cdfr
