@@ -145,8 +145,13 @@ Result<ContourReport> contour_points(const Field& field, double distance, const 
   const double longest = longest_side(data.bounds());
   const double tolerance = options.tolerance == 0 ? longest / 1000 : options.tolerance;
   if (!std::isfinite(distance)) return Error{Code::bad_option, 0, "distance must be finite"};
+  if (options.tolerance == 0 && longest == 0)
+    return Error{Code::bad_option, 0, "a mesh of no size needs a tolerance"};
   if (!(tolerance > 0) || !std::isfinite(tolerance) || tolerance < longest * 0x1p-40) {
     return Error{Code::bad_option, 0, "tolerance must be at least 2^-40 of the longest side"};
+  }
+  if (tolerance < 4 * level_of(data, distance).rounding) {
+    return Error{Code::bad_option, 0, "tolerance must be at least 64 ulp of the largest coordinate"};
   }
   if (distance < 0 && data.sign == Sign::none) {
     return Error{Code::not_closed, 0, "an unsigned field has no inside: no contour at a depth"};

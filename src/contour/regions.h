@@ -31,7 +31,7 @@ struct RegionCounts {
 };
 
 /// Calls take(region) in Morton order, leaves first, until it returns false. Leaves are tested in parallel,
-/// nothing but one byte a leaf is kept. `tolerance` tells how small the final cubes are.
+/// those visited are kept. `tolerance` tells how small the final cubes are.
 RegionCounts for_each_region(const FieldData& field, const Level& level, double tolerance, Progress& progress,
                              const std::function<bool(const Region&)>& take);
 

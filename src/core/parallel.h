@@ -1,28 +1,24 @@
 /// Work on a given number of threads, whose results never depend on that number.
 #pragma once
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 
 #include "cdfr/core/run.h"
 
 namespace cdfr {
 
-/// Calls work() with that many workers for every parallel loop inside. More than the machine has cores are
-/// allowed for as long as the call lasts: oneTBB's own limit would hold them back.
+/// Nobody has more, and results do not depend on it.
+inline constexpr unsigned most_threads = 1024;
+
+/// Calls work() with that many workers, at most most_threads, for every parallel loop inside.
 template <class Work>
 void with_threads(const Run& run, Work work) {
-  std::optional<tbb::global_control> more;
-  if (run.threads > static_cast<unsigned>(tbb::info::default_concurrency())) {
-    more.emplace(tbb::global_control::max_allowed_parallelism, run.threads);
-  }
-  tbb::task_arena arena(run.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(run.threads));
+  const auto threads = static_cast<int>(std::min(run.threads, most_threads));
+  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
   arena.execute(work);
 }
 

@@ -50,6 +50,7 @@ void index_leaves(FieldData& field) {
 }
 
 Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options) {
+  const FloatingEnvironment environment;
   // The audit refuses what the arithmetic does not hold for: bad indices, coordinates out of range.
   const Result<MeshReport> report = audit(mesh);
   if (!report) return report.error();

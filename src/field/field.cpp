@@ -17,7 +17,7 @@
 namespace cdfr {
 namespace {
 
-/// Points a task answers between two looks at the caller's tick: a few milliseconds.
+/// Points a task answers.
 constexpr std::size_t batch_chunk = 2048;
 
 template <class Answer>
@@ -28,7 +28,10 @@ Result<void> for_points(Points x, const Run& run, Answer answer) {
   with_threads(run, [&] {
     for_chunks(x.size(), batch_chunk, [&](std::size_t first, std::size_t end) {
       if (progress.cancelled()) return;
-      for (std::size_t i = first; i < end; ++i) answer(i);
+      for (std::size_t i = first; i < end; ++i) {
+        if (i % 64 == 0 && !progress.poll()) return;
+        answer(i);
+      }
       progress.step();
     });
   });

@@ -1,15 +1,17 @@
 #include "field/locate.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace cdfr {
 namespace {
 
-/// Place of x on the deepest level's lattice. p - origin rounds to nearest and so may reach the next lattice
-/// point from below by at most half an ulp: cells are complete beyond that (Lattice::grown).
-std::uint32_t place_on(double x, double origin, double deepest_edge) noexcept {
-  return static_cast<std::uint32_t>((x - origin) / deepest_edge);
+/// Place of x on the deepest level's lattice. x - origin rounds to nearest and so may reach the next lattice
+/// point from below by at most half an ulp: cells are complete beyond that (Lattice::grown). Past the last
+/// cell there is none: x is in the brick.
+std::uint32_t place_on(double x, double origin, double deepest_edge, std::uint32_t bricks) noexcept {
+  return std::min(static_cast<std::uint32_t>((x - origin) / deepest_edge), (bricks << deepest_level) - 1);
 }
 
 }  // namespace
@@ -21,9 +23,9 @@ std::optional<Located> locate(const Octree& tree, const Vec3& p) noexcept {
                       p.z >= domain.lo.z && p.z < domain.hi.z;
   if (!within || tree.blocks.empty()) return std::nullopt;
   const double edge = std::ldexp(lattice.edge, -deepest_level);
-  const std::array<std::uint32_t, 3> place{place_on(p.x, lattice.origin.x, edge),
-                                           place_on(p.y, lattice.origin.y, edge),
-                                           place_on(p.z, lattice.origin.z, edge)};
+  const std::array<std::uint32_t, 3> place{place_on(p.x, lattice.origin.x, edge, lattice.bricks[0]),
+                                           place_on(p.y, lattice.origin.y, edge, lattice.bricks[1]),
+                                           place_on(p.z, lattice.origin.z, edge, lattice.bricks[2])};
   int bit = deepest_level + virtual_levels - 1;
   const auto child = [&]() noexcept {
     const std::uint32_t c =

@@ -58,22 +58,19 @@ class Contenders {
   std::size_t size_ = 0;
 };
 
-/// A query so far away that all of the mesh is equally close to far less than an ulp, as if seen at
-/// largest_query.
-Vec3 drawn_in(const Vec3& p) noexcept {
-  const double factor = largest_query / largest_magnitude(p);
-  return {p.x * factor, p.y * factor, p.z * factor};
-}
-
 struct Query {
   Vec3 p;            ///< what the kernel sees
   double scale = 1;  ///< of the true distance to the kernel's
 };
 
+/// A query beyond largest_query is drawn in by a power of two: all of the mesh is equally close to it to far
+/// less than an ulp.
 Query admitted(const Vec3& x) noexcept {
   const double size = largest_magnitude(x);
-  if (size > largest_query) return {without_dust(drawn_in(x)), size / largest_query};
-  return {without_dust(x), 1};
+  if (!(size > largest_query)) return {without_dust(x), 1};
+  const int excess = std::ilogb(size) - std::ilogb(largest_query) + 1;
+  const Vec3 near{std::ldexp(x.x, -excess), std::ldexp(x.y, -excess), std::ldexp(x.z, -excess)};
+  return {without_dust(near), std::ldexp(1.0, excess)};
 }
 
 double signed_by(const FieldData& field, const Query& query, const Winner& winner, int& side) noexcept {
@@ -151,7 +148,8 @@ Winner Race::winner() const noexcept {
   // The kernel is within 2^-93 R of the truth, and R is at most 4 times the largest coordinate.
   double size = largest_magnitude(p_);
   for (const Vec3& v : triangles_.shape(flat_.slot).vertices) size = std::max(size, largest_magnitude(v));
-  const bool closer = square_root(flat_.foot.squared) + 0x1p-90 * size < square_root(proper_.foot.squared);
+  const double gap = (proper_.foot.squared - flat_.foot.squared).hi;
+  const bool closer = gap > 0x1p-89 * size * square_root(proper_.foot.squared);
   return closer ? flat_ : proper_;
 }
 

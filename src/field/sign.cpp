@@ -26,14 +26,13 @@ struct Sum {
   }
 };
 
-/// A vertex of more triangles than this is left to the crossings: each adds 2^-50 to the bound on its mean
-/// normal.
-constexpr std::uint32_t most_triangles = 256;
-
 Vec3 edge_normal(const Sum& sum) noexcept { return sum.hidden ? Vec3{} : rounded(sum.normal); }
 
+/// Edge vectors are rounded before their angle is taken, so each weight is off by up to 4u, however small it
+/// is, and by 16u of itself. Where the mean angle is 2^-9 or more that shifts the mean normal by less than
+/// 2^-42; sharper tips are left to the crossings.
 Vec3 vertex_normal(const Sum& sum) noexcept {
-  if (sum.hidden || sum.count > most_triangles || !(sum.weight > 0)) return {};
+  if (sum.hidden || !(sum.weight * 0x1p9 >= sum.count)) return {};
   const Vec3 n = rounded(sum.normal);
   return {n.x / sum.weight, n.y / sum.weight, n.z / sum.weight};
 }
@@ -80,10 +79,11 @@ int side_of(const Vec3& p, const Foot& foot, std::uint32_t slot, SearchSpace spa
   const Eigen::Vector3d offset = to_eigen(rounded(foot.offset));
   const Eigen::Vector3d n = to_eigen(normal);
   const double product = offset.dot(n);
-  // Edge: offset, normal, product and two sums round by less than 8u of |offset|_1 |n|_1. Vertex: angles are
-  // good to 2^-49 (arithmetic.h) and 256 of them add up in double, so the mean normal is within 2^-41, and so
-  // is everything else.
-  const double bound = offset.lpNorm<1>() * (on_edge ? 16 * unit_roundoff * n.lpNorm<1>() : 0x1p-40);
+  // Edge: offset, normal, product and two sums round by less than 8u of |offset|_1 |n|_1, and each of the two
+  // unit normals is off by 2^-98, which counts where they nearly cancel. Vertex: the mean normal is within
+  // 2^-42 (vertex_normal).
+  const double doubt = on_edge ? 16 * unit_roundoff * n.lpNorm<1>() + 0x1p-94 : 0x1p-40;
+  const double bound = offset.lpNorm<1>() * doubt;
   if (product > bound) return 1;
   if (product < -bound) return -1;
   return winding_by_crossings(p, space) > 0 ? -1 : 1;

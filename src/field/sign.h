@@ -20,8 +20,8 @@ namespace cdfr {
 
 /// By edge id and by welded vertex id. A zero vector says: undecided here, count crossings.
 struct Pseudonormals {
-  std::vector<Vec3> edges;     ///< sum of the unit normals, components within 2u of their size
-  std::vector<Vec3> vertices;  ///< angle-weighted mean of the unit normals, components within 2^-41
+  std::vector<Vec3> edges;     ///< sum of the unit normals, within 2u of its size and 2^-97
+  std::vector<Vec3> vertices;  ///< angle-weighted mean of the unit normals, components within 2^-42
 };
 
 /// O(triangles log triangles). Precondition: `order` is the store's.

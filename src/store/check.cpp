@@ -1,13 +1,16 @@
 #include "store/check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "field/leaves.h"
+#include "geometry/box_distance.h"
 #include "geometry/query_range.h"
+#include "geometry/unit_normal.h"
 
 namespace cdfr {
 namespace {
@@ -39,6 +42,36 @@ Result<void> check_lattice(const FieldData& field) {
   return {};
 }
 
+/// Normals are what the vertices say: signs and faces hang on them. Lanes beyond the last triangle repeat it.
+bool good_shape(const TriangleStore& t, std::size_t group, std::size_t lane) noexcept {
+  const std::size_t slot = std::min(group * group_size + lane, t.records.size() - 1);
+  std::array<Vec3, 3> v;
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    v[corner] = t.groups[group].vertex(corner, lane);
+    if (!is_finite(v[corner])) return false;
+    for (const double c : {v[corner].x, v[corner].y, v[corner].z}) {
+      const double size = std::fabs(c);
+      if (size != 0 && !(size >= smallest_coordinate && size <= largest_coordinate)) return false;
+    }
+    if (!(v[corner] == t.groups[slot / group_size].vertex(corner, slot % group_size))) return false;
+  }
+  const DoubleDouble3 n = unit_normal(v[0], v[1], v[2]);
+  return rounded(n) == t.groups[group].normal(lane) &&
+         Vec3{n[0].lo, n[1].lo, n[2].lo} == t.records[slot].normal_rest;
+}
+
+/// Ids point into the pseudonormals; only a collapsed edge has none.
+bool good_ids(const FieldData& field, std::uint32_t slot) noexcept {
+  const TriangleRecord& r = field.triangles.records[slot];
+  const TriangleShape shape = field.triangles.shape(slot);
+  for (int k = 0; k < 3; ++k) {
+    const bool collapsed = shape.vertices[k] == shape.vertices[(k + 1) % 3];
+    const bool edge = r.edges[k] == no_index ? collapsed : r.edges[k] < field.pseudonormals.edges.size();
+    if (!edge || r.vertices[k] >= field.pseudonormals.vertices.size()) return false;
+  }
+  return true;
+}
+
 Result<void> check_triangles(const FieldData& field) {
   const TriangleStore& t = field.triangles;
   if (t.records.empty() || t.records.size() >= no_index || t.groups.size() != (t.records.size() + 7) / 8) {
@@ -46,27 +79,35 @@ Result<void> check_triangles(const FieldData& field) {
   }
   for (std::size_t g = 0; g < t.groups.size(); ++g) {
     for (std::size_t lane = 0; lane < group_size; ++lane) {
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        const Vec3 v = t.groups[g].vertex(corner, lane);
-        if (!is_finite(v) || largest_magnitude(v) > largest_coordinate)
-          return refusal(g, "groups: bad coordinate");
-      }
-      const Vec3 n = t.groups[g].normal(lane);
-      if (!is_finite(n) || largest_magnitude(n) > 1) return refusal(g, "groups: bad normal");
+      if (!good_shape(t, g, lane)) return refusal(g, "groups: bad coordinate or normal");
     }
   }
-  const bool is_signed = field.sign == Sign::pseudonormal;
-  const std::size_t edges = field.pseudonormals.edges.size(), vertices = field.pseudonormals.vertices.size();
-  for (std::size_t i = 0; i < t.records.size(); ++i) {
-    const TriangleRecord& r = t.records[i];
-    bool good =
-        is_finite(r.normal_rest) && largest_magnitude(r.normal_rest) <= 1 && r.number < t.records.size();
-    for (int k = 0; k < 3 && is_signed; ++k) {
-      good = good && r.vertices[k] < vertices && (r.edges[k] < edges || r.edges[k] == no_index);
+  std::vector<bool> met(t.records.size());
+  for (std::uint32_t slot = 0; slot < t.size(); ++slot) {
+    const std::uint32_t number = t.records[slot].number;
+    if (number >= met.size() || met[number]) return refusal(slot, "records: bad number");
+    met[number] = true;
+    if (field.sign == Sign::pseudonormal && !good_ids(field, slot)) return refusal(slot, "records: bad id");
+  }
+  for (const std::vector<Vec3>& normals : {field.pseudonormals.edges, field.pseudonormals.vertices}) {
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      if (!is_finite(normals[i]) || largest_magnitude(normals[i]) > 0x1p20)
+        return refusal(i, "pseudonormals: not finite");
     }
-    if (!good) return refusal(i, "records: bad normal, number or id");
   }
   return {};
+}
+
+Box box_of(const TriangleStore& t, std::uint32_t group) noexcept {
+  const Vec3 first = t.groups[group].vertex(0, 0);
+  Box box{first, first};
+  for (std::size_t lane = 0; lane < group_size; ++lane) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vec3 v = t.groups[group].vertex(corner, lane);
+      box = united(box, {v, v});
+    }
+  }
+  return box;
 }
 
 Result<void> check_bvh(const FieldData& field) {
@@ -93,6 +134,17 @@ Result<void> check_bvh(const FieldData& field) {
     if (middle <= e.first || middle >= e.end) return refusal(e.node + 1, "bvh_nodes: bad range");
     stack.push_back({e.node + 2 * (middle - e.first), middle, e.end, e.depth + 1});
     stack.push_back({e.node + 1, e.first, middle, e.depth + 1});
+  }
+  for (std::size_t i = nodes.size(); i-- > 0;) {
+    const auto node = static_cast<std::uint32_t>(i);
+    const Box box = nodes[i].is_group()
+                        ? box_of(field.triangles, nodes[i].first_group)
+                        : united(nodes[field.bvh.left(node)].box, nodes[field.bvh.right(node)].box);
+    if (!(box == nodes[i].box)) return refusal(i, "bvh_nodes: bad box");
+  }
+  const Box domain = field.tree.lattice.domain();
+  if (!contains(domain, nodes[0].box.lo) || !contains(domain, nodes[0].box.hi)) {
+    return refusal(0, "settings: the domain does not hold the mesh");
   }
   return {};
 }
@@ -134,6 +186,7 @@ bool good_leaf(const FieldData& field, const Block& block, const LeafRecord& lea
   for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count(); ++i) {
     const Entry& entry = block.entries[i];
     if (entry.node() >= field.bvh.nodes.size() || !(entry.distance() >= 0)) return false;
+    if (i > leaf.first && entry.distance() < block.entries[i - 1].distance()) return false;
     const BvhNode& node = field.bvh.nodes[entry.node()];
     if (node.is_group() && (entry.lanes() & ((1U << field.triangles.lanes(node.first_group)) - 1)) == 0)
       return false;

@@ -87,6 +87,24 @@ TEST(Query, IsRightAtAnyDistance) {
   EXPECT_EQ(field.distance({denormal, denormal, denormal}), 0);
 }
 
+/// Just inside the upper faces of a brick of eight cubes, x - origin rounds up to the end of the brick.
+TEST(Query, IsRightAnUlpInsideTheDomain) {
+  for (const Box& box : {Box{{-7.5, -0.5, -0.5}, {-0.5, 0.5, 0.5}}, Box{{-3.5, -0.5, -0.5}, {3.5, 0.5, 0.5}},
+                         Box{{0.5, -0.5, -0.5}, {7.5, 0.5, 0.5}}}) {
+    const Mesh mesh = test::box_mesh(box);
+    BuildOptions options;
+    options.max_triangles_per_leaf = 1;
+    const Field field = Field::build(mesh.view(), options).value();
+    const BruteForce brute = BruteForce::over(mesh.view()).value();
+    const Box domain = field.domain();
+    for (const double x : {std::nextafter(domain.hi.x, -9), domain.hi.x, std::nextafter(domain.hi.x, 9),
+                           domain.lo.x, domain.hi.x - 1e-17}) {
+      const Vec3 p{x, 0.1, 0.2};
+      EXPECT_TRUE(test::same_bits(field.closest(p), brute.closest(p))) << x;
+    }
+  }
+}
+
 TEST(Query, DoesNotMindTheCallersRoundingMode) {
   const Field field = Field::build(test::sphere_mesh(3).view()).value();
   test::Random random(3);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cdfr/field/field.h"
+#include "cdfr/mesh/audit.h"
 #include "support/meshes.h"
 
 namespace cdfr {
@@ -51,6 +52,55 @@ TEST(Sign, SurvivesACapOfHeightZero) {
       p = {random.between(-0.5, 4.5), off * random.between(-1, 1), off * random.between(-1, 1)};
     }
     EXPECT_EQ(field.distance(p) < 0, inside(p)) << p.x << ' ' << p.y << ' ' << p.z;
+  }
+}
+
+/// Joined with a cube far off, so that queries outside the part are inside the mesh's box.
+Mesh with_far_cube(Mesh mesh, double x) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  const Mesh cube = test::box_mesh({{x, -2, -2}, {x + 1, 2, 2}});
+  mesh.vertices.insert(mesh.vertices.end(), cube.vertices.begin(), cube.vertices.end());
+  const Mesh other = test::box_mesh({{-x - 1, -2, -2}, {-x, 2, 2}});
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const std::uint32_t shift : {first, first + 8}) {
+    for (const Triangle& t : cube.triangles)
+      mesh.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  }
+  return mesh;
+}
+
+/// Past the tip the vertex is closest; its faces' angles are as small as the needle is thin.
+TEST(Sign, IsOutsideAroundTheTipOfANeedle) {
+  for (const double width : {1e-3, 1e-5, 1e-6, 1e-8, 1e-10, 1e-13}) {
+    Mesh needle;
+    needle.vertices = {{0.1, 0, 0}, {1.1, 1, 1}, {1.1 + width, 1, 1}, {1.1, 1 + width, 1}};
+    needle.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}};
+    const Mesh mesh = with_far_cube(needle, 20);
+    ASSERT_GT(audit(needle.view()).value().volume, 0);
+    const Field field = Field::build(mesh.view()).value();
+    test::Random random(5);
+    int tips = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const Vec3 p = random.in({{-1, -1, -1}, {1.2, 1.1, 1.1}});
+      const Closest c = field.closest(p);
+      tips += c.feature == Feature::vertex;
+      ASSERT_GE(c.distance, 0) << width;
+    }
+    EXPECT_GT(tips, 100);
+  }
+}
+
+/// A tetrahedron so flat that the two normals of its edges cancel to their last bits.
+TEST(Sign, IsOutsideAroundAVeryFlatTetrahedron) {
+  Mesh flat;
+  flat.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 0x1p-70}};
+  flat.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  const Field field = Field::build(with_far_cube(flat, 20).view()).value();
+  test::Random random(6);
+  for (int i = 0; i < 4000; ++i) {
+    const double off = std::ldexp(1.0, -static_cast<int>(random.below(60)));
+    const Vec3 p{random.between(0.1, 0.9), -off, random.between(-0.5, 0.5)};
+    ASSERT_GT(field.distance(p), 0);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <xxhash.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -94,6 +95,24 @@ TEST_F(StoreForged, SingleBitsInEverySection) {
       survives(bytes);
     }
   }
+}
+
+/// An edge without a pseudonormal is a collapsed one; a query on any other would look past the array.
+TEST_F(StoreForged, RealEdgesWithoutAnIdAreRefused) {
+  std::string bytes = small_field();
+  const Extent records = sections_of(bytes)[format::records];
+  for (std::size_t at = records.begin; at < records.end; at += sizeof(TriangleRecord)) {
+    std::memset(bytes.data() + at + offsetof(TriangleRecord, edges), 0xff, sizeof(TriangleRecord::edges));
+  }
+  EXPECT_FALSE(survives(bytes));
+}
+
+TEST_F(StoreForged, NormalsThatTheVerticesDoNotHaveAreRefused) {
+  std::string bytes = small_field();
+  const Extent groups = sections_of(bytes)[format::groups];
+  std::memset(bytes.data() + groups.begin + offsetof(TriangleGroup, normals), 0,
+              sizeof(TriangleGroup::normals));
+  EXPECT_FALSE(survives(bytes));
 }
 
 TEST_F(StoreForged, WordsOfTheWorstKind) {

@@ -22,7 +22,7 @@ struct ContourReport {
   std::uint64_t leaves = 0;       ///< of the field
   std::uint64_t visited = 0;      ///< those with |d(centre) - distance| <= sqrt(3)/2 s
   std::uint64_t productive = 0;   ///< those that gave a point
-  std::uint64_t evaluations = 0;  ///< of the distance
+  std::uint64_t evaluations = 0;  ///< of the distance, but for those of exclusion tests
   std::uint64_t points = 0;
   std::uint64_t undecided = 0;  ///< points with an infinite error: 2^-10 of a sub-voxel did not decide
   double subvoxel = 0;          ///< edge of the smallest sub-voxel used at leaf level, in the mesh's unit
@@ -33,8 +33,9 @@ struct ContourReport {
 /// Points of the contour {x : signed distance = distance}; a depth t is distance -t. No hole: within the
 /// tolerance of every point of the true contour there is a point. No ghost: the true contour passes within
 /// each point's error. Points come in Morton order, the same for any thread count. An empty contour is an
-/// answer, not an error. Errors: bad_option (distance or tolerance not finite, tolerance below 2^-40 of the
-/// longest side), not_closed (a negative distance of an unsigned field), cancelled, and the sink's own.
+/// answer, not an error. Errors: bad_option (distance or tolerance not finite; tolerance below 2^-40 of the
+/// longest side or 64 ulp of the largest coordinate), not_closed (a negative distance of an unsigned field),
+/// cancelled, and the sink's own.
 CDFR_API Result<ContourReport> contour_points(const Field& field, double distance,
                                               const ContourOptions& options, PointSink& sink,
                                               const Run& run = {});

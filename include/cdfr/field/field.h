@@ -55,7 +55,8 @@ class CDFR_API Field {
   static Result<Field> build(MeshView mesh, const BuildOptions& options = {}, const Run& run = {});
 
   /// Signed distance, within 4 ulp of the truth (ulp at the largest absolute coordinate of mesh and query).
-  /// NaN if x is not finite. O(1) cells in the domain, O(log n) beyond; no allocation.
+  /// NaN if x is not finite. O(1) cells in the domain, O(log n) beyond, O(n)
+  /// from 2^45 times the mesh's size on; no allocation.
   double distance(Vec3 x) const noexcept;
   /// Distance with all that belongs to it. Ties in the computed distance go to the lowest triangle number; a triangle of no
   /// area wins only where no proper one is as close.
