@@ -46,7 +46,9 @@ std::size_t point_count(std::size_t triangles) {
 /// be spent on building leaves for a handful of points.
 BuildOptions options(std::size_t triangles) {
   BuildOptions result;
-  if (!wanted_points()) result.max_level = triangles <= 20'000 ? 5 : 2;
+  const char* text = wanted_points();
+  const bool is_short = !text || std::strtoull(text, nullptr, 10) < 1000;
+  if (is_short) result.max_level = triangles <= 20'000 ? 5 : 2;
   return result;
 }
 
