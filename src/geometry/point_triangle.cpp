@@ -1,18 +1,14 @@
 #include "geometry/point_triangle.h"
 
 #include <cmath>
-#include <tuple>
 
 #include "geometry/orientation.h"
 #include "geometry/query_range.h"
 #include "geometry/unit_normal.h"
+#include "geometry/vertex_order.h"
 
 namespace cdfr {
 namespace {
-
-bool precedes(const Vec3& a, const Vec3& b) noexcept {
-  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-}
 
 Vec3 minus(const Vec3& a, const Vec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 

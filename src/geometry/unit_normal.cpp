@@ -1,11 +1,11 @@
 #include "geometry/unit_normal.h"
 
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "geometry/expansion.h"
 #include "geometry/query_range.h"
+#include "geometry/vertex_order.h"
 
 namespace cdfr {
 namespace {
@@ -16,10 +16,6 @@ ExactCross exact_cross(const Vec3& a, const Vec3& b, const Vec3& c) noexcept {
   const std::array e{exact_difference(b.x, a.x), exact_difference(b.y, a.y), exact_difference(b.z, a.z)};
   const std::array f{exact_difference(c.x, a.x), exact_difference(c.y, a.y), exact_difference(c.z, a.z)};
   return {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
-}
-
-bool precedes(const Vec3& a, const Vec3& b) noexcept {
-  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
 
 /// Divided by its length, after the power of two of the largest component is taken out: then the squares
