@@ -73,6 +73,11 @@ Query admitted(const Vec3& x) noexcept {
   return {without_dust(near), std::ldexp(1.0, excess)};
 }
 
+/// Bound on the distance from p to any point of the box.
+double reach_of(const Box& box, const Vec3& p) noexcept {
+  return (distance_between(p, box.lo) + diagonal_above(box)) * (1 + 8 * unit_roundoff);
+}
+
 double signed_by(const FieldData& field, const Query& query, const Winner& winner, int& side) noexcept {
   side = 1;
   if (field.far_side != 0 && !contains(field.bounds(), query.p)) {
@@ -161,16 +166,31 @@ Winner find_winner(const FieldData& field, const Vec3& p) noexcept {
                 distance_between(p, lattice.centre(at->cell)) * (1 + 8 * unit_roundoff));
     return search.accept().settle(search.reject());
   }
-  const Box& box = field.bounds();
-  const double reach = (distance_between(p, box.lo) + diagonal_above(box)) * (1 + 8 * unit_roundoff);
-  Search search(field.space(), p, reach, Contenders(p, field.triangles));
+  Search search(field.space(), p, reach_of(field.bounds(), p), Contenders(p, field.triangles));
   search.descend(0);
   return search.accept().settle(search.reject());
 }
 
+/// Two scans: the closest vertex bounds the distance, and only triangles whose box is within that bound meet
+/// the kernel. The kernel is within 2^-93 of the reach and Race tells flat triangles from proper ones by
+/// 2^-89 of the largest coordinate, which is at most |p| + reach: what lies farther by 2^-80 of that has
+/// lost.
 Winner find_winner_brute(const FieldData& field, const Vec3& p) noexcept {
-  Race race(p, field.triangles);
-  for (std::uint32_t slot = 0; slot < field.triangles.size(); ++slot) race.challenge(slot);
+  const TriangleStore& triangles = field.triangles;
+  const auto corner = [&](std::uint32_t slot, std::size_t k) {
+    return triangles.groups[slot / group_size].vertex(k, slot % group_size);
+  };
+  double radius = std::numeric_limits<double>::infinity();
+  for (std::uint32_t slot = 0; slot < triangles.size(); ++slot) {
+    for (std::size_t k = 0; k < 3; ++k) radius = std::min(radius, distance_between(p, corner(slot, k)));
+  }
+  radius = radius * (1 + 8 * unit_roundoff) + 0x1p-80 * (largest_magnitude(p) + reach_of(field.bounds(), p));
+  const double reject = radius * radius * (1 + 4 * unit_roundoff);
+  Race race(p, triangles);
+  for (std::uint32_t slot = 0; slot < triangles.size(); ++slot) {
+    const Vec3 a = corner(slot, 0), b = corner(slot, 1), c = corner(slot, 2);
+    if (squared_distance_below(p, united(united({a, a}, {b, b}), {c, c})) <= reject) race.challenge(slot);
+  }
   return race.winner();
 }
 

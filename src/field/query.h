@@ -37,7 +37,7 @@ class Race {
 /// without dust.
 Winner find_winner(const FieldData& field, const Vec3& p) noexcept;
 
-/// By every triangle.
+/// By every triangle, without a tree.
 Winner find_winner_brute(const FieldData& field, const Vec3& p) noexcept;
 
 enum class Finder { tree, brute };

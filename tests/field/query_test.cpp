@@ -8,6 +8,8 @@
 #endif
 
 #include "cdfr/field/field.h"
+#include "field/field_data.h"
+#include "field/query.h"
 #include "support/meshes.h"
 #include "support/same.h"
 
@@ -46,6 +48,23 @@ TEST(Query, TiesGoToTheLowestTriangle) {
   const Field twice = Field::build(doubled.view()).value();
   test::Random random(1);
   for (int i = 0; i < 1000; ++i) EXPECT_LT(twice.closest(random.in({{-1, -1, -1}, {3, 3, 3}})).triangle, 12U);
+}
+
+TEST(Query, BruteForceLooksAwayOnlyFromLosers) {
+  for (const Mesh& mesh : {test::box_mesh(cube_box), test::soup(150, {{0, 0, 0}, {1, 1, 1}}, 7),
+                           test::soup(40, {{1e6, -1e6, 1e6}, {1e6 + 1, 1 - 1e6, 1e6 + 1}}, 8)}) {
+    const Field field = Field::build(mesh.view()).value();
+    const Box box = field.domain();
+    test::Random random(4);
+    for (int i = 0; i < 500; ++i) {
+      const Vec3 p = i % 3 == 0 ? mesh.vertices[random.below(mesh.vertices.size())] : random.in(box);
+      Race race(p, field.data().triangles);
+      for (std::uint32_t slot = 0; slot < field.data().triangles.size(); ++slot) race.challenge(slot);
+      const Winner all = race.winner(), found = find_winner_brute(field.data(), p);
+      EXPECT_EQ(found.slot, all.slot);
+      EXPECT_EQ(found.foot.squared, all.foot.squared);
+    }
+  }
 }
 
 TEST(Query, IsExactlyZeroOnTheSurfaceWithAUnitGradient) {
