@@ -6,10 +6,10 @@
 
 #include "cdfr/field/field.h"
 #include "field/sign.h"
+#include "mesh/bvh.h"
+#include "mesh/triangles.h"
 #include "octree/blocks.h"
-#include "octree/bvh.h"
 #include "octree/search.h"
-#include "octree/triangles.h"
 
 namespace cdfr {
 

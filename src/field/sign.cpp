@@ -4,7 +4,7 @@
 
 #include "core/arithmetic.h"
 #include "core/vector.h"
-#include "field/crossings.h"
+#include "mesh/crossings.h"
 
 namespace cdfr {
 namespace {

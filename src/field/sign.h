@@ -13,8 +13,8 @@
 #include "cdfr/core/types.h"
 #include "geometry/point_triangle.h"
 #include "mesh/topology.h"
+#include "mesh/triangles.h"
 #include "octree/search.h"
-#include "octree/triangles.h"
 
 namespace cdfr {
 

@@ -11,17 +11,11 @@
 
 #include "geometry/box_distance.h"
 #include "geometry/triangle_group.h"
+#include "mesh/bvh.h"
+#include "mesh/triangles.h"
 #include "octree/blocks.h"
-#include "octree/bvh.h"
-#include "octree/triangles.h"
 
 namespace cdfr {
-
-/// The mesh and the tree over it, borrowed.
-struct SearchSpace {
-  const TriangleStore& triangles;
-  const Bvh& bvh;
-};
 
 /// `Accept` is called with (slot, estimated squared distance) for each triangle that is not yet known to
 /// lose: at the end, those accepted with a value of at most `reject()` include every triangle whose distance

@@ -21,9 +21,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "mesh/bvh.h"
+#include "mesh/triangles.h"
 #include "octree/blocks.h"
-#include "octree/bvh.h"
-#include "octree/triangles.h"
 
 namespace cdfr::format {
 
@@ -99,7 +99,7 @@ struct Settings {
   std::uint8_t sign = 0;         ///< enum Sign: what was chosen
   std::uint8_t sign_option = 0;  ///< enum Sign: what was asked for
   std::uint8_t lists = 0;        ///< enum Lists
-  std::int8_t far_side = 0;     ///< FieldData::far_side
+  std::int8_t far_side = 0;      ///< FieldData::far_side
   std::uint64_t vertices = 0;
 };
 static_assert(sizeof(Settings) == 80);

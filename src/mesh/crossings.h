@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cdfr/core/types.h"
-#include "octree/search.h"
+#include "mesh/bvh.h"
 
 namespace cdfr {
 

@@ -1,9 +1,8 @@
-#include "octree/triangles.h"
+#include "mesh/triangles.h"
 
 #include <tbb/parallel_for.h>
 
 #include "geometry/unit_normal.h"
-#include "octree/bvh.h"
 
 namespace cdfr {
 namespace {

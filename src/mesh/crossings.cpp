@@ -1,4 +1,4 @@
-#include "field/crossings.h"
+#include "mesh/crossings.h"
 
 #include <array>
 #include <cassert>

@@ -6,7 +6,7 @@
 
 #include "cdfr/core/types.h"
 #include "mesh/topology.h"
-#include "octree/triangles.h"
+#include "mesh/triangles.h"
 
 namespace cdfr {
 
@@ -40,8 +40,10 @@ struct BvhAndOrder {
 };
 BvhAndOrder build_bvh(MeshView mesh);
 
-/// Shapes and records in that order.
-TriangleStore gather_triangles(MeshView mesh, const Topology& topology,
-                               const std::vector<std::uint32_t>& order);
+/// The mesh and the tree over it, borrowed.
+struct SearchSpace {
+  const TriangleStore& triangles;
+  const Bvh& bvh;
+};
 
 }  // namespace cdfr

@@ -9,6 +9,7 @@
 #include "cdfr/core/types.h"
 #include "geometry/point_triangle.h"
 #include "geometry/triangle_group.h"
+#include "mesh/topology.h"
 
 namespace cdfr {
 
@@ -41,5 +42,9 @@ struct TriangleStore {
             {DoubleDouble{hi.x, lo.x}, DoubleDouble{hi.y, lo.y}, DoubleDouble{hi.z, lo.z}}};
   }
 };
+
+/// Shapes and records by slot: `order` gives the triangles' numbers.
+TriangleStore gather_triangles(MeshView mesh, const Topology& topology,
+                               const std::vector<std::uint32_t>& order);
 
 }  // namespace cdfr

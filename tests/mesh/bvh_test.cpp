@@ -1,4 +1,4 @@
-#include "octree/bvh.h"
+#include "mesh/bvh.h"
 
 #include <gtest/gtest.h>
 
