@@ -11,7 +11,9 @@ namespace cdfr {
 Result<BruteForce> BruteForce::over(MeshView mesh, Sign sign) {
   BuildOptions options;
   options.sign = sign;
-  Result<FieldData> data = prepare_field(mesh, options);
+  const Run run;
+  Progress progress(run);
+  Result<FieldData> data = prepare_field(mesh, options, progress);
   if (!data) return data.error();
   return BruteForce(std::make_shared<const FieldData>(std::move(data).value()));
 }

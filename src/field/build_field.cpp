@@ -4,12 +4,13 @@
 #include <optional>
 #include <utility>
 
-#include "cdfr/mesh/audit.h"
 #include "core/floating_environment.h"
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "field/leaves.h"
 #include "field/query.h"
+#include "geometry/box_distance.h"
+#include "mesh/examine.h"
 #include "octree/build.h"
 
 namespace cdfr {
@@ -24,23 +25,41 @@ std::optional<Error> refused(const BuildOptions& options) {
   return std::nullopt;
 }
 
-/// Gives each leaf that no surface crosses the side of its centre.
+/// Gives each leaf that no triangle comes into the side that all of it is on, where that is certain: for a
+/// mesh without boundary the side of its centre.
 void set_sides(FieldData& field, Progress& progress) {
-  if (field.sign == Sign::none) return;
+  const bool certain =
+      field.sign == Sign::winding || (field.sign == Sign::pseudonormal && field.report.embedded());
+  if (!certain) return;
+  const Lattice& lattice = field.tree.lattice;
   progress.phase(0.9, 1, static_cast<double>(field.tree.blocks.size()));
   for_chunks(field.tree.blocks.size(), 1, [&](std::size_t i, std::size_t) {
     Block& block = field.tree.blocks[i];
     for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
       LeafRecord& leaf = block.leaves[number];
-      if (leaf.side() == Side::surface || progress.cancelled()) return;
-      const bool inside = signed_distance(field, field.tree.lattice.centre(cell)) < 0;
-      leaf.set(leaf.count(), inside ? Side::inside : Side::outside);
+      if (leaf.side() == Side::surface || !progress.poll()) return;
+      const Vec3 centre = lattice.centre(cell);
+      const double radius = (diagonal_above(lattice.box(cell)) / 2 + 2 * lattice.grown()) * (1 + 0x1p-50);
+      const Side side = !field.winding.empty() ? side_of_ball(field.winding, field.space(), centre, radius)
+                        : signed_distance(field, centre) < 0 ? Side::inside
+                                                             : Side::outside;
+      leaf.set(leaf.count(), side);
     });
     progress.step();
   });
 }
 
 }  // namespace
+
+void derive_sides(FieldData& field) {
+  field.far_side = 0;
+  if (field.sign == Sign::pseudonormal && field.report.closed())
+    field.far_side = field.report.volume < 0 ? -1 : 1;
+  if (field.sign == Sign::winding && field.report.balanced()) field.far_side = 1;
+  if (field.sign == Sign::winding && !field.report.balanced()) {
+    field.winding = build_winding_tree(field.space(), field.pseudonormals.edges.size());
+  }
+}
 
 void index_leaves(FieldData& field) {
   field.first_leaf.assign(1, 0);
@@ -49,22 +68,24 @@ void index_leaves(FieldData& field) {
   }
 }
 
-Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options) {
+Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options, Progress& progress) {
   const FloatingEnvironment environment;
-  // The audit refuses what the arithmetic does not hold for: bad indices, coordinates out of range.
-  const Result<MeshReport> report = audit(mesh);
-  if (!report) return report.error();
+  Result<Examined> examined = examine(mesh, progress);
+  if (!examined) return examined.error();
   FieldData field;
   field.options = options;
-  field.sign = options.sign;
-  if (options.sign == Sign::automatic) field.sign = report->closed() ? Sign::pseudonormal : Sign::none;
-  if (field.sign == Sign::pseudonormal && report->closed()) field.far_side = report->volume < 0 ? -1 : 1;
-  field.vertices = report->vertices;
-  const Topology topology = weld_topology(mesh);
-  BvhAndOrder tree = build_bvh(mesh);
-  field.bvh = std::move(tree.bvh);
-  field.triangles = gather_triangles(mesh, topology, tree.order);
-  if (field.sign == Sign::pseudonormal) field.pseudonormals = pseudonormals(topology, field.triangles);
+  field.report = examined->report;
+  field.sign = options.sign == Sign::automatic ? field.report.sign() : options.sign;
+  field.bvh = std::move(examined->bvh);
+  field.triangles = std::move(examined->triangles);
+  if (field.sign != Sign::none) {
+    const bool naive = field.sign == Sign::pseudonormal;
+    static const std::vector<std::uint8_t> all;
+    field.pseudonormals =
+        pseudonormals(field.triangles, examined->topology.edges.size(), field.report.vertices,
+                      naive ? all : examined->plain_edges, naive ? all : examined->plain_vertices);
+  }
+  derive_sides(field);
   return field;
 }
 
@@ -74,7 +95,7 @@ Result<FieldData> build_field(MeshView mesh, const BuildOptions& options, const 
   Progress progress(run);
   Result<FieldData> field = Progress::error();
   with_threads(run, [&] {
-    field = prepare_field(mesh, options);
+    field = prepare_field(mesh, options, progress);
     if (!field) return;
     progress.phase(0.1, 0.2, 1);
     progress.step();

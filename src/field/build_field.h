@@ -2,17 +2,19 @@
 #pragma once
 
 #include "cdfr/core/result.h"
+#include "core/progress.h"
 #include "field/field_data.h"
 
 namespace cdfr {
 
 /// Everything but the octree: enough for brute force. Resolves Sign::automatic. Runs in the caller's task
 /// arena.
-Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options);
+Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options, Progress& progress);
 
 Result<FieldData> build_field(MeshView mesh, const BuildOptions& options, const Run& run);
 
-/// Sets what follows from the rest: first_leaf.
+/// What follows from the rest and is not stored: far_side and winding; first_leaf.
+void derive_sides(FieldData& field);
 void index_leaves(FieldData& field);
 
 }  // namespace cdfr

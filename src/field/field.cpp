@@ -64,6 +64,7 @@ Result<void> Field::closest(Points x, std::span<Closest> out, const Run& run) co
 Box Field::domain() const noexcept { return data_->tree.lattice.domain(); }
 Box Field::bounds() const noexcept { return data_->bounds(); }
 Sign Field::sign() const noexcept { return data_->sign; }
+const MeshReport& Field::report() const noexcept { return data_->report; }
 BuildOptions Field::options() const noexcept { return data_->options; }
 Stats Field::stats() const { return stats_of(*data_); }
 std::uint64_t Field::checksum() const { return checksum_of(*data_); }

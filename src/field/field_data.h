@@ -6,10 +6,10 @@
 
 #include "cdfr/field/field.h"
 #include "field/sign.h"
+#include "field/winding.h"
 #include "mesh/bvh.h"
 #include "mesh/triangles.h"
 #include "octree/blocks.h"
-#include "octree/search.h"
 
 namespace cdfr {
 
@@ -20,11 +20,14 @@ struct FieldData {
   Octree tree;                  ///< without blocks in a brute force's data
   BuildOptions options;
   Sign sign = Sign::none;  ///< never automatic
-  /// Side of every point outside the mesh's box: 1, -1 for a mesh turned inside out, 0 where only
-  /// pseudonormals tell (a mesh that is not closed).
+  MeshReport report;
+
+  // Derived from the above (build_field.h), and not stored.
+  WindingTree winding;  ///< for a mesh that is not balanced, if winding decides
+  /// Side of every point outside the mesh's box: 1, -1 for a closed mesh turned inside out whose
+  /// pseudonormals decide, 0 where it depends on the point.
   int far_side = 0;
-  std::uint64_t vertices = 0;             ///< distinct
-  std::vector<std::uint64_t> first_leaf;  ///< leaves before each block; derived
+  std::vector<std::uint64_t> first_leaf;  ///< leaves before each block
 
   SearchSpace space() const noexcept { return {triangles, bvh}; }
   const Box& bounds() const noexcept { return bvh.nodes[0].box; }

@@ -9,8 +9,10 @@
 #include "core/floating_environment.h"
 #include "core/vector.h"
 #include "field/locate.h"
+#include "field/side.h"
 #include "geometry/box_distance.h"
 #include "geometry/query_range.h"
+#include "octree/search.h"
 
 namespace cdfr {
 namespace {
@@ -79,12 +81,7 @@ double reach_of(const Box& box, const Vec3& p) noexcept {
 }
 
 double signed_by(const FieldData& field, const Query& query, const Winner& winner, int& side) noexcept {
-  side = 1;
-  if (field.far_side != 0 && !contains(field.bounds(), query.p)) {
-    side = field.far_side;
-  } else if (field.sign == Sign::pseudonormal) {
-    side = side_of(query.p, winner.foot, winner.slot, field.space(), field.pseudonormals);
-  }
+  side = side_of(field, query.p, winner);
   const double distance = square_root(winner.foot.squared) * query.scale;
   return side < 0 ? -distance : distance;
 }
@@ -118,9 +115,8 @@ Eigen::Vector3d surface_normal(const FieldData& field, const Winner& winner,
   Eigen::Vector3d n = to_eigen(rounded(shape.normal));
   const TrianglePlace place = winner.foot.place;
   Vec3 own;
-  if (field.sign == Sign::pseudonormal && place >= 4)
-    own = field.pseudonormals.vertices[record.vertices[place - 4]];
-  if (field.sign == Sign::pseudonormal && place >= 1 && place < 4)
+  if (field.sign != Sign::none && place >= 4) own = field.pseudonormals.vertices[record.vertices[place - 4]];
+  if (field.sign != Sign::none && place >= 1 && place < 4)
     own = field.pseudonormals.edges[record.edges[place - 1]];
   if (!(own == Vec3{})) n = unit(to_eigen(own));
   return n.isZero(0) ? Eigen::Vector3d::UnitZ() : n;
@@ -141,7 +137,7 @@ Vec3 gradient_of(const FieldData& field, const Winner& winner, const TriangleSha
 
 void Race::challenge(std::uint32_t slot) noexcept {
   const TriangleShape shape = triangles_.shape(slot);
-  const Winner challenger{measure(p_, shape), slot, triangles_.records[slot].number};
+  const Winner challenger{measure(p_, shape), Side::undecided, slot, triangles_.records[slot].number};
   Winner& best = rounded(shape.normal) == Vec3{} ? flat_ : proper_;
   const bool wins = best.slot == no_index || challenger.foot.squared < best.foot.squared ||
                     (challenger.foot.squared == best.foot.squared && challenger.number < best.number);
@@ -164,7 +160,9 @@ Winner find_winner(const FieldData& field, const Vec3& p) noexcept {
     Search search(field.space(), p, lattice.reach(), Contenders(p, field.triangles));
     search.list(at->entries(), lattice.edge,
                 distance_between(p, lattice.centre(at->cell)) * (1 + 8 * unit_roundoff));
-    return search.accept().settle(search.reject());
+    Winner winner = search.accept().settle(search.reject());
+    winner.side = at->leaf->side();
+    return winner;
   }
   Search search(field.space(), p, reach_of(field.bounds(), p), Contenders(p, field.triangles));
   search.descend(0);

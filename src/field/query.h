@@ -11,6 +11,7 @@ namespace cdfr {
 
 struct Winner {
   Foot foot;
+  Side side = Side::undecided;  ///< of the leaf that held p
   std::uint32_t slot = no_index;
   std::uint32_t number = no_index;
 };

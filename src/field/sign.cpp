@@ -4,7 +4,6 @@
 
 #include "core/arithmetic.h"
 #include "core/vector.h"
-#include "mesh/crossings.h"
 
 namespace cdfr {
 namespace {
@@ -46,9 +45,11 @@ double angle_at(const TriangleShape& triangle, int corner) noexcept {
 
 }  // namespace
 
-Pseudonormals pseudonormals(const Topology& topology, const TriangleStore& store) {
-  std::vector<Sum> edges(topology.edges.size());
-  std::vector<Sum> vertices(topology.vertex_count);
+Pseudonormals pseudonormals(const TriangleStore& store, std::size_t edge_count, std::size_t vertex_count,
+                            const std::vector<std::uint8_t>& plain_edges,
+                            const std::vector<std::uint8_t>& plain_vertices) {
+  std::vector<Sum> edges(edge_count);
+  std::vector<Sum> vertices(vertex_count);
   // In input order, so that sums do not depend on the BVH.
   std::vector<std::uint32_t> slot_of(store.size());
   for (std::uint32_t slot = 0; slot < store.size(); ++slot) slot_of[store.records[slot].number] = slot;
@@ -60,19 +61,21 @@ Pseudonormals pseudonormals(const Topology& topology, const TriangleStore& store
       vertices[record.vertices[k]].add(shape.normal, flat(shape.normal) ? 0 : angle_at(shape, k));
     }
   }
+  const auto is_plain = [](const std::vector<std::uint8_t>& plain, std::size_t i) {
+    return plain.empty() || plain[i] != 0;
+  };
   Pseudonormals result;
   result.edges.reserve(edges.size());
-  for (const Sum& sum : edges) result.edges.push_back(edge_normal(sum));
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    result.edges.push_back(is_plain(plain_edges, i) ? edge_normal(edges[i]) : Vec3{});
   result.vertices.reserve(vertices.size());
-  for (const Sum& sum : vertices) result.vertices.push_back(vertex_normal(sum));
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    result.vertices.push_back(is_plain(plain_vertices, i) ? vertex_normal(vertices[i]) : Vec3{});
   return result;
 }
 
-int side_of(const Vec3& p, const Foot& foot, std::uint32_t slot, SearchSpace space,
-            const Pseudonormals& normals) noexcept {
-  if (foot.squared.hi == 0) return 0;
+int side_of_normals(const Foot& foot, const TriangleRecord& record, const Pseudonormals& normals) noexcept {
   if (foot.place == 0) return foot.along.hi > 0 ? 1 : -1;
-  const TriangleRecord& record = space.triangles.records[slot];
   const bool on_edge = foot.place < 4;
   const Vec3 normal = on_edge ? normals.edges[record.edges[foot.place - 1]]
                               : normals.vertices[record.vertices[foot.place - 4]];
@@ -85,8 +88,7 @@ int side_of(const Vec3& p, const Foot& foot, std::uint32_t slot, SearchSpace spa
   const double doubt = on_edge ? 16 * unit_roundoff * n.lpNorm<1>() + 0x1p-94 : 0x1p-40;
   const double bound = offset.lpNorm<1>() * doubt;
   if (product > bound) return 1;
-  if (product < -bound) return -1;
-  return winding_by_crossings(p, space) > 0 ? -1 : 1;
+  return product < -bound ? -1 : 0;
 }
 
 }  // namespace cdfr

@@ -1,20 +1,21 @@
-/// Which side of the surface a point is on, certified.
+/// Which side of the surface a point is on, certified, where the surface around the closest point tells.
 ///
 /// On a closed, outward oriented, embedded mesh the sign of (p - q) . N decides, q the closest point and N
 /// the normal of its face, the sum of the two normals of its edge, or the angle-weighted sum of the normals
 /// at its vertex (Baerentzen, Aanaes, "Signed distance computation using the angle weighted pseudonormal",
 /// 2005). A face's sign is exact already (point_triangle.h). For edges and vertices the product must exceed
-/// the bound on its rounding; where it does not, or where a triangle of no area hides a normal, the signed
-/// crossings of an exact ray are counted.
+/// the bound on its rounding; where it does not, or where a triangle of no area hides a normal, it is left
+/// open. On a balanced mesh that is not embedded the same holds around each plain edge and vertex
+/// (mesh/shells.h).
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "cdfr/core/types.h"
 #include "geometry/point_triangle.h"
-#include "mesh/topology.h"
 #include "mesh/triangles.h"
-#include "octree/search.h"
 
 namespace cdfr {
 
@@ -24,11 +25,14 @@ struct Pseudonormals {
   std::vector<Vec3> vertices;  ///< angle-weighted mean of the unit normals, components within 2^-42
 };
 
-/// O(triangles log triangles). Precondition: `order` is the store's.
-Pseudonormals pseudonormals(const Topology& topology, const TriangleStore& store);
+/// `plain_edges` and `plain_vertices` leave out what is not plain (Examined); empty ones leave out nothing.
+/// O(triangles).
+Pseudonormals pseudonormals(const TriangleStore& store, std::size_t edges, std::size_t vertices,
+                            const std::vector<std::uint8_t>& plain_edges,
+                            const std::vector<std::uint8_t>& plain_vertices);
 
-/// 1 outside, -1 inside, 0 if the foot's distance is zero. `slot` is the closest triangle's.
-int side_of(const Vec3& p, const Foot& foot, std::uint32_t slot, SearchSpace space,
-            const Pseudonormals& normals) noexcept;
+/// 1 on the side that the normals at the foot point to, -1 on the other one, 0 undecided. Precondition: the
+/// foot's distance is not zero.
+int side_of_normals(const Foot& foot, const TriangleRecord& record, const Pseudonormals& normals) noexcept;
 
 }  // namespace cdfr

@@ -19,8 +19,8 @@ std::uint64_t bytes_of(const std::vector<T>& v) noexcept {
 std::uint64_t total_bytes(const FieldData& field) noexcept {
   std::uint64_t bytes = sizeof field + bytes_of(field.triangles.groups) + bytes_of(field.triangles.records) +
                         bytes_of(field.bvh.nodes) + bytes_of(field.pseudonormals.edges) +
-                        bytes_of(field.pseudonormals.vertices) + bytes_of(field.tree.top) +
-                        bytes_of(field.tree.blocks) + bytes_of(field.tree.levels) +
+                        bytes_of(field.pseudonormals.vertices) + bytes_of(field.winding) +
+                        bytes_of(field.tree.top) + bytes_of(field.tree.blocks) + bytes_of(field.tree.levels) +
                         bytes_of(field.first_leaf);
   for (const Block& block : field.tree.blocks) {
     bytes += bytes_of(block.nodes) + bytes_of(block.leaves) + bytes_of(block.entries);
@@ -64,7 +64,7 @@ std::vector<std::uint32_t> slots_of(const FieldData& field, const Block& block, 
 Stats stats_of(const FieldData& field) {
   Stats stats;
   stats.triangles = field.triangles.size();
-  stats.vertices = field.vertices;
+  stats.vertices = field.report.vertices;
   stats.levels = field.tree.levels;
   stats.bytes = total_bytes(field);
   std::vector<std::uint64_t> lengths;
@@ -78,6 +78,7 @@ Stats stats_of(const FieldData& field) {
       stats.inside_leaves += leaf.side() == Side::inside;
       stats.surface_leaves += leaf.side() == Side::surface;
       stats.outside_leaves += leaf.side() == Side::outside;
+      stats.undecided_leaves += leaf.side() == Side::undecided;
     });
   }
   for (std::size_t level = 0; level < stats.levels.size(); ++level) {

@@ -1,195 +1,43 @@
 #include "cdfr/mesh/audit.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "geometry/unit_normal.h"
-#include "mesh/coordinate.h"
-#include "mesh/topology.h"
+#include "core/floating_environment.h"
+#include "core/parallel.h"
+#include "core/progress.h"
+#include "mesh/examine.h"
 
 namespace cdfr {
-namespace {
 
-std::optional<Error> fault_of(const MeshView& mesh) {
-  if (mesh.triangles.empty()) return Error{Code::empty_mesh, 0, "mesh has no triangles"};
-  if (mesh.triangles.size() >= no_index || mesh.vertices.size() >= no_index) {
-    return Error{Code::out_of_range, 0, "mesh has more than 2^32 - 2 triangles or vertices"};
-  }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const std::uint32_t corner : mesh.triangles[t]) {
-      if (corner < mesh.vertices.size()) continue;
-      return Error{Code::bad_index, t,
-                   "triangle " + std::to_string(t) + " has index " + std::to_string(corner) +
-                       ", vertices are " + std::to_string(mesh.vertices.size())};
+std::string sign_reason(const MeshReport& report) {
+  if (report.embedded()) return "closed, outward and embedded";
+  std::string reason;
+  const auto add = [&](std::uint64_t count, const char* one, const char* many) {
+    if (count == 0) return;
+    reason += (reason.empty() ? "" : ", ") + std::to_string(count) + " " + (count == 1 ? one : many);
+  };
+  add(report.open_edges, "open edge", "open edges");
+  add(report.nonmanifold_edges, "non-manifold edge", "non-manifold edges");
+  add(report.flipped_edges, "flipped edge", "flipped edges");
+  add(report.nonmanifold_vertices, "non-manifold vertex", "non-manifold vertices");
+  add(report.duplicate_triangles, "duplicate triangle", "duplicate triangles");
+  add(report.touching_triangles, "triangle that touches or crosses others",
+      "triangles that touch or cross others");
+  add(report.turned_shells, "shell turned inside out or nested in another",
+      "shells turned inside out or nested in others");
+  return reason;
+}
+
+Result<MeshReport> audit(MeshView mesh, const Run& run) {
+  const FloatingEnvironment environment;
+  Progress progress(run);
+  Result<MeshReport> report = Progress::error();
+  with_threads(run, [&] {
+    Result<Examined> examined = examine(mesh, progress);
+    if (examined) {
+      report = examined->report;
+    } else {
+      report = examined.error();
     }
-  }
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    const auto wrong = coordinate_fault(mesh.vertices[i]);
-    if (wrong) return Error{*wrong, i, "vertex " + std::to_string(i) + " " + coordinate_fault_text(*wrong)};
-  }
-  return std::nullopt;
-}
-
-/// A triangle with two equal corners: it has no place among the edges.
-bool collapsed(const Triangle& t) noexcept { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
-/// Sets that grow together; the root of a set is its lowest member.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t root(std::size_t i) noexcept {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) noexcept {
-    a = root(a);
-    b = root(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
-/// The uses of an edge by triangles that are not collapsed, into `uses`.
-void live_uses(const Topology& topology, std::uint32_t edge, std::vector<Topology::Use>& uses) {
-  uses.clear();
-  for (const auto& use : topology.uses_of(edge)) {
-    if (!collapsed(topology.triangles[use.triangle])) uses.push_back(use);
-  }
-}
-
-std::size_t corner_of(const Topology& topology, std::uint32_t triangle, std::uint32_t vertex) noexcept {
-  const Triangle& corners = topology.triangles[triangle];
-  return 3 * std::size_t{triangle} + (corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2);
-}
-
-/// Counts edges by their uses, and joins in `triangles` and `fans` (corners) what shares an edge.
-void audit_edges(const Topology& topology, DisjointSets& triangles, DisjointSets& fans, MeshReport& report) {
-  std::vector<Topology::Use> uses;
-  for (std::uint32_t e = 0; e < topology.edges.size(); ++e) {
-    live_uses(topology, e, uses);
-    if (uses.size() == 1) ++report.open_edges;
-    if (uses.size() > 2) ++report.nonmanifold_edges;
-    if (uses.size() == 2 && uses[0].forward == uses[1].forward) ++report.flipped_edges;
-    for (std::size_t i = 1; i < uses.size(); ++i) {
-      triangles.join(uses[0].triangle, uses[i].triangle);
-      for (const std::uint32_t vertex : topology.edges[e].vertices) {
-        fans.join(corner_of(topology, uses[0].triangle, vertex),
-                  corner_of(topology, uses[i].triangle, vertex));
-      }
-    }
-  }
-}
-
-void count_components(const Topology& topology, DisjointSets& triangles, MeshReport& report) {
-  for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
-    if (!collapsed(topology.triangles[t]) && triangles.root(t) == t) ++report.components;
-  }
-}
-
-void count_nonmanifold_vertices(const Topology& topology, DisjointSets& fans, MeshReport& report) {
-  std::vector<std::uint8_t> fans_at(topology.vertex_count, 0);
-  for (std::size_t corner = 0; corner < 3 * topology.triangles.size(); ++corner) {
-    const Triangle& triangle = topology.triangles[corner / 3];
-    if (collapsed(triangle) || fans.root(corner) != corner) continue;
-    std::uint8_t& count = fans_at[triangle[corner % 3]];
-    if (count == 1) ++report.nonmanifold_vertices;
-    if (count < 2) ++count;
-  }
-}
-
-std::uint64_t count_duplicates(const Topology& topology) {
-  std::vector<Triangle> sorted;
-  sorted.reserve(topology.triangles.size());
-  for (const Triangle& triangle : topology.triangles) {
-    if (!collapsed(triangle)) sorted.push_back(triangle);  // the others have no three positions
-  }
-  for (auto& triangle : sorted) std::sort(triangle.begin(), triangle.end());
-  std::sort(sorted.begin(), sorted.end());
-  std::uint64_t duplicates = 0;
-  for (std::size_t i = 1; i < sorted.size(); ++i) duplicates += sorted[i] == sorted[i - 1];
-  return duplicates;
-}
-
-Vec3 minus(const Vec3& a, const Vec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vec3 cross(const Vec3& a, const Vec3& b) noexcept {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double dot(const Vec3& a, const Vec3& b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-Box box_of(const MeshView& mesh) noexcept {
-  const double inf = std::numeric_limits<double>::infinity();
-  Box box{{inf, inf, inf}, {-inf, -inf, -inf}};
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const std::uint32_t corner : triangle) {
-      const Vec3 p = mesh.vertices[corner];
-      box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y), std::min(box.lo.z, p.z)};
-      box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y), std::max(box.hi.z, p.z)};
-    }
-  }
-  return box;
-}
-
-/// A sum that carries what rounding drops from it (Neumaier), so that a million terms cost no digits.
-class CompensatedSum {
- public:
-  void add(double term) noexcept {
-    const double next = sum_ + term;
-    dropped_ += std::fabs(sum_) >= std::fabs(term) ? (sum_ - next) + term : (term - next) + sum_;
-    sum_ = next;
-  }
-  double value() const noexcept { return sum_ + dropped_; }
-
- private:
-  double sum_ = 0;
-  double dropped_ = 0;
-};
-
-/// Corners are taken from the centre of the box: far from the origin, products of the coordinates themselves
-/// would cancel all digits of the volume. Where the surface has a boundary, the volume is that of its cone
-/// from there.
-void measure(const MeshView& mesh, MeshReport& report) {
-  const Vec3 lo = report.box.lo, hi = report.box.hi;
-  const Vec3 centre{lo.x + (hi.x - lo.x) / 2, lo.y + (hi.y - lo.y) / 2, lo.z + (hi.z - lo.z) / 2};
-  CompensatedSum volume, area;
-  for (const Triangle& triangle : mesh.triangles) {
-    const Vec3 a = mesh.vertices[triangle[0]], b = mesh.vertices[triangle[1]], c = mesh.vertices[triangle[2]];
-    const Vec3 normal = cross(minus(b, a), minus(c, a));
-    if (collinear(a, b, c)) {
-      ++report.degenerate_triangles;
-      continue;
-    }
-    area.add(std::sqrt(dot(normal, normal)) / 2);
-    volume.add(dot(minus(a, centre), normal) / 6);
-  }
-  report.area = area.value();
-  report.volume = volume.value();
-}
-
-}  // namespace
-
-Result<MeshReport> audit(MeshView mesh) {
-  if (auto fault = fault_of(mesh)) return std::move(*fault);
-  MeshReport report;
-  const Topology topology = weld_topology(mesh);
-  report.triangles = mesh.triangles.size();
-  report.vertices = topology.vertex_count;
-  DisjointSets triangles(topology.triangles.size()), fans(3 * topology.triangles.size());
-  audit_edges(topology, triangles, fans, report);
-  count_components(topology, triangles, report);
-  count_nonmanifold_vertices(topology, fans, report);
-  report.duplicate_triangles = count_duplicates(topology);
-  report.box = box_of(mesh);
-  measure(mesh, report);
+  });
   return report;
 }
 

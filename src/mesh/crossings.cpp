@@ -1,65 +1,144 @@
 #include "mesh/crossings.h"
 
+#include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <optional>
 
 #include "geometry/box_distance.h"
-#include "geometry/orientation.h"
+#include "geometry/expansion.h"
+#include "geometry/query_range.h"
 
 namespace cdfr {
 namespace {
 
-struct Segment {
-  Vec3 from, to;
+using ExactVector = std::array<Expansion<4>, 3>;
+
+/// A ray whose origin is a sum of up to three points, known exactly; `near` is that sum rounded, off by at
+/// most `doubt` in each coordinate.
+struct Ray {
+  std::array<Vec3, 3> parts;
+  Vec3 near;
+  double doubt = 0;
+  Vec3 direction;  ///< whole numbers below 2^20
 };
 
-/// False only if the segment certainly misses the box: one of three axes separates them by more than
-/// rounding.
-bool may_meet(const Segment& s, const Box& box) noexcept {
-  const auto apart = [](double a, double b, double lo, double hi) {
-    return (a < lo && b < lo) || (a > hi && b > hi);
-  };
-  if (apart(s.from.x, s.to.x, box.lo.x, box.hi.x) || apart(s.from.y, s.to.y, box.lo.y, box.hi.y) ||
-      apart(s.from.z, s.to.z, box.lo.z, box.hi.z)) {
-    return false;
+Vec3 minus(const Vec3& a, const Vec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
+/// False only if the ray certainly misses the box: one of six axes separates them by more than rounding.
+bool may_meet(const Ray& ray, const Box& box) noexcept {
+  const double d[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
+  const Vec3 below = minus(box.lo, ray.near), above = minus(box.hi, ray.near);
+  const double lo[3] = {below.x, below.y, below.z};
+  const double hi[3] = {above.x, above.y, above.z};
+  for (int i = 0; i < 3; ++i) {
+    if (d[i] >= 0 && hi[i] < -ray.doubt) return false;
+    if (d[i] <= 0 && lo[i] > ray.doubt) return false;
   }
-  // Axis d x e_i: the box's radius against the segment's line, everything relative to `from`.
-  const double d[3] = {s.to.x - s.from.x, s.to.y - s.from.y, s.to.z - s.from.z};
-  const double h[3] = {(box.hi.x - box.lo.x) / 2, (box.hi.y - box.lo.y) / 2, (box.hi.z - box.lo.z) / 2};
-  const double c[3] = {box.lo.x - s.from.x + h[0], box.lo.y - s.from.y + h[1], box.lo.z - s.from.z + h[2]};
+  // Axis d x e_i: the box's radius against the ray's line, relative to the origin.
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const double away = std::fabs(d[j] * c[k] - d[k] * c[j]);
-    const double radius = std::fabs(d[j]) * h[k] + std::fabs(d[k]) * h[j];
-    const double size =
-        (std::fabs(d[j]) + std::fabs(d[k])) * (std::fabs(c[j]) + std::fabs(c[k]) + h[j] + h[k]);
-    if (away > radius + 32 * unit_roundoff * size) return false;
+    const double hj = (hi[j] - lo[j]) / 2, hk = (hi[k] - lo[k]) / 2;
+    const double cj = lo[j] + hj, ck = lo[k] + hk;
+    const double away = std::fabs(d[j] * ck - d[k] * cj);
+    const double radius = std::fabs(d[j]) * hk + std::fabs(d[k]) * hj;
+    const double size = std::fabs(lo[j]) + std::fabs(hi[j]) + std::fabs(lo[k]) + std::fabs(hi[k]) + ray.doubt;
+    const double rounding = (std::fabs(d[j]) + std::fabs(d[k])) * (32 * unit_roundoff * size + 2 * ray.doubt);
+    if (away > radius + rounding) return false;
   }
   return true;
 }
 
-/// Crossing of one triangle: 1 leaving, -1 entering, 0 none; nothing if exactness leaves it open.
-std::optional<int> crossing(const Segment& s, const std::array<Vec3, 3>& t) noexcept {
-  const int here = orientation(t[0], t[1], t[2], s.from);
-  const int there = orientation(t[0], t[1], t[2], s.to);
-  if (here == 0 && there == 0) return std::nullopt;
-  // A point of the segment in the plane that is an end of it is not on the triangle: p is off the surface,
-  // the other end outside the box.
-  if (here * there >= 0) return 0;
-  int positive = 0, negative = 0;
-  for (int k = 0; k < 3; ++k) {
-    const int side = orientation(s.from, s.to, t[k], t[(k + 1) % 3]);
-    positive += side > 0;
-    negative += side < 0;
-  }
-  if (positive > 0 && negative > 0) return 0;
-  if (positive + negative < 3) return std::nullopt;
-  return here < 0 ? 1 : -1;
+/// Sign of det(a, b, c) where it is certain, else 0. Each component carries one rounding, those of a up to
+/// doubt_a more and those of b and c up to `doubt`; the six products round by less than 8u each, so 2^-46 of
+/// the product of the largest components covers them, and a doubt in one vector moves six products of the two
+/// others.
+int certain_sign(const Vec3& a, const Vec3& b, const Vec3& c, double doubt_a, double doubt) noexcept {
+  const double determinant =
+      a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
+  const double sa = largest_magnitude(a), sb = largest_magnitude(b) + doubt,
+               sc = largest_magnitude(c) + doubt;
+  const double bound = 0x1p-46 * sa * sb * sc + 8 * (doubt_a * sb * sc + sa * doubt * (sb + sc));
+  if (determinant > bound) return 1;
+  return determinant < -bound ? -1 : 0;
 }
 
-std::optional<int> winding_along(const Segment& s, SearchSpace space) noexcept {
+ExactVector exact_offset(const Vec3& t, const Ray& ray) noexcept {
+  ExactVector u;
+  u[0].add(t.x);
+  u[1].add(t.y);
+  u[2].add(t.z);
+  for (const Vec3& part : ray.parts) {
+    u[0].add(-part.x);
+    u[1].add(-part.y);
+    u[2].add(-part.z);
+  }
+  return u;
+}
+
+std::array<Expansion<2>, 3> exactly(const Vec3& d) noexcept {
+  return {exact_difference(d.x, 0), exact_difference(d.y, 0), exact_difference(d.z, 0)};
+}
+
+template <class A>
+int exact_sign(const A& a, const ExactVector& b, const ExactVector& c) noexcept {
+  const auto x = a[0] * (b[1] * c[2] - b[2] * c[1]);
+  const auto y = a[1] * (b[2] * c[0] - b[0] * c[2]);
+  const auto z = a[2] * (b[0] * c[1] - b[1] * c[0]);
+  return (x + y + z).sign();
+}
+
+/// Sign of direction . normal of the triangle, exactly.
+int rises(const Vec3& d, const std::array<Vec3, 3>& t) noexcept {
+  const auto along = [&](std::size_t k) { return exact_offset(t[k], {{t[0], {}, {}}, {}, 0, {}}); };
+  return exact_sign(exactly(d), along(1), along(2));
+}
+
+/// A triangle as a ray sees it.
+class Crossing {
+ public:
+  Crossing(const Ray& ray, const std::array<Vec3, 3>& t) noexcept : ray_(ray), t_(t) {
+    for (std::size_t k = 0; k < 3; ++k) near_[k] = minus(t[k], ray.near);
+  }
+
+  /// 1 leaving, -1 entering, 0 none; nothing if the ray meets the border or lies in the plane. The signs say
+  /// on which side of each edge the line passes, and add up, as numbers, to direction . normal. Where the
+  /// origin is in the plane, the line meets the plane there alone, and that is off the triangle.
+  std::optional<int> counted() const noexcept {
+    int positive = 0, negative = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int side = edge_side(k, (k + 1) % 3);
+      positive += side > 0;
+      negative += side < 0;
+      if (positive > 0 && negative > 0) return 0;
+    }
+    if (positive + negative == 0) return std::nullopt;
+    const int towards = positive > 0 ? 1 : -1;
+    if (plane_side() != towards) return 0;
+    return positive + negative == 3 ? std::optional(towards) : std::nullopt;
+  }
+
+ private:
+  /// Sign of det(direction, t[i] - origin, t[j] - origin).
+  int edge_side(std::size_t i, std::size_t j) const noexcept {
+    const Vec3& d = ray_.direction;
+    if (const int sign = certain_sign(d, near_[i], near_[j], 0, ray_.doubt)) return sign;
+    return exact_sign(exactly(d), exact_offset(t_[i], ray_), exact_offset(t_[j], ray_));
+  }
+  /// 1 if the origin is behind the triangle, -1 in front: sign of det(t[0] - origin, t[1] - origin, t[2] -
+  /// origin).
+  int plane_side() const noexcept {
+    if (const int sign = certain_sign(near_[0], near_[1], near_[2], ray_.doubt, ray_.doubt)) return sign;
+    return exact_sign(exact_offset(t_[0], ray_), exact_offset(t_[1], ray_), exact_offset(t_[2], ray_));
+  }
+
+  const Ray& ray_;
+  const std::array<Vec3, 3>& t_;
+  std::array<Vec3, 3> near_;
+};
+
+/// Nothing if some triangle but `except` leaves it open.
+std::optional<int> winding_along(const Ray& ray, SearchSpace space, std::uint32_t except) noexcept {
   int winding = 0;
   std::array<std::uint32_t, bvh_depth_limit> stack;
   std::size_t size = 0;
@@ -67,7 +146,7 @@ std::optional<int> winding_along(const Segment& s, SearchSpace space) noexcept {
   while (size > 0) {
     const std::uint32_t index = stack[--size];
     const BvhNode& node = space.bvh.nodes[index];
-    if (!may_meet(s, node.box)) continue;
+    if (!may_meet(ray, node.box)) continue;
     if (!node.is_group()) {
       stack[size++] = space.bvh.right(index);
       stack[size++] = space.bvh.left(index);
@@ -75,10 +154,11 @@ std::optional<int> winding_along(const Segment& s, SearchSpace space) noexcept {
     }
     const TriangleGroup& group = space.triangles.groups[node.first_group];
     for (std::size_t lane = 0; lane < space.triangles.lanes(node.first_group); ++lane) {
-      // A triangle of no area is met only where its neighbours' edges are.
-      if (group.normal(lane) == Vec3{}) continue;
-      const std::optional<int> c =
-          crossing(s, {group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)});
+      // The border of a triangle of no area covers each of its points as often one way as the other, so those
+      // that have an area close up without it.
+      if (node.first_group * group_size + lane == except || group.normal(lane) == Vec3{}) continue;
+      const std::array<Vec3, 3> t{group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)};
+      const std::optional<int> c = Crossing(ray, t).counted();
       if (!c) return std::nullopt;
       winding += *c;
     }
@@ -86,26 +166,40 @@ std::optional<int> winding_along(const Segment& s, SearchSpace space) noexcept {
   return winding;
 }
 
+/// Points of the curve (1, t, t^2): any three are independent (Vandermonde). t runs over the 2^20 multiples
+/// of 2^-19 in [-1, 1) in a scattered order, so that t^2 is exact.
+Vec3 direction(std::uint32_t attempt) noexcept {
+  const std::uint32_t place = (attempt * 0x9e375U + 0x5a827U) & 0xfffffU;
+  const double t = static_cast<double>(place) * 0x1p-19 - 1;
+  return {1, t, t * t};
+}
+
 }  // namespace
 
 int winding_by_crossings(const Vec3& p, SearchSpace space) noexcept {
-  const Box& box = space.bvh.nodes[0].box;
-  if (!contains(box, p)) return 0;
-  const double far = 2 * diagonal_above(box);
-  // Directions of no particular meaning, so that no plane of a made part holds them; their sizes make the end
-  // point leave the box along x, y or z.
-  for (int attempt = 0; attempt < 48; ++attempt) {
-    const double a = 0.0123 + 0.0371 * attempt;
-    const double b = 0.4567 - 0.0193 * attempt;
-    const double sign = attempt % 2 == 0 ? 1 : -1;
-    Vec3 d{sign, a, b};
-    if (attempt % 3 == 1) d = {b, sign, a};
-    if (attempt % 3 == 2) d = {a, b, sign};
-    const Segment s{p, {p.x + far * d.x, p.y + far * d.y, p.z + far * d.z}};
-    if (const std::optional<int> winding = winding_along(s, space)) return *winding;
+  if (!contains(space.bvh.nodes[0].box, p)) return 0;
+  for (std::uint32_t attempt = 0;; ++attempt) {
+    const Ray ray{{p, {}, {}}, p, 0, direction(attempt)};
+    if (const std::optional<int> winding = winding_along(ray, space, no_index)) return *winding;
   }
-  assert(false && "48 directions that all meet an edge exactly");
-  return 0;
+}
+
+int winding_in_front(std::uint32_t slot, SearchSpace space) noexcept {
+  const std::array<Vec3, 3> v = space.triangles.shape(slot).vertices;
+  const auto times = [](const Vec3& p, double f) { return Vec3{f * p.x, f * p.y, f * p.z}; };
+  Ray ray{{times(v[0], 0.5), times(v[1], 0.25), times(v[2], 0.25)}, {}, 0, {}};
+  const auto& [a, b, c] = ray.parts;
+  ray.near = {a.x + b.x + c.x, a.y + b.y + c.y, a.z + b.z + c.z};
+  ray.doubt = 4 * unit_roundoff *
+              std::max({largest_magnitude(v[0]), largest_magnitude(v[1]), largest_magnitude(v[2])});
+  for (std::uint32_t attempt = 0;; ++attempt) {
+    ray.direction = direction(attempt);
+    const int towards = rises(ray.direction, v);
+    if (towards == 0) continue;
+    const std::optional<int> winding = winding_along(ray, space, slot);
+    // What the ray counts is the winding on the side that it starts on, and behind it is one more.
+    if (winding) return towards > 0 ? *winding : *winding - 1;
+  }
 }
 
 }  // namespace cdfr

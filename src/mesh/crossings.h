@@ -1,15 +1,22 @@
 /// Exact winding by counting where a ray leaves and enters.
 #pragma once
 
+#include <cstdint>
+
 #include "cdfr/core/types.h"
 #include "mesh/bvh.h"
 
 namespace cdfr {
 
-/// How often a closed mesh winds around p: crossings of a segment from p to a point outside the mesh's box,
-/// leaving counted 1, entering -1. Every crossing is decided by exact predicates; a segment that meets an
-/// edge, a vertex or a triangle's plane is given up for the next of several directions. Precondition: p is
-/// not on the surface.
+/// How often a balanced mesh (MeshReport::balanced) winds around p: crossings of a ray from p, leaving
+/// counted 1, entering -1. Every crossing is decided by exact predicates; a ray that meets an edge, a corner
+/// or a triangle edge-on is given up for the next of a sequence of directions. No three of those lie in a
+/// plane, so each edge and each triangle spoils at most two: some direction serves. Precondition: p is finite
+/// and within the range of query_range.h; on the surface the result says nothing. O(sqrt n) as a rule.
 int winding_by_crossings(const Vec3& p, SearchSpace space) noexcept;
+
+/// The same for a point just off the front (where the normal points) of a triangle that has an area and that
+/// no other one meets but at shared edges and corners: the ray starts exactly on it and does not count it.
+int winding_in_front(std::uint32_t slot, SearchSpace space) noexcept;
 
 }  // namespace cdfr

@@ -39,7 +39,9 @@ TriangleStore gather_triangles(MeshView mesh, const Topology& topology,
                              topology.triangles[number],
                              topology.edges_of[number],
                              number,
-                             mesh.patches.empty() ? 0 : mesh.patches[number]};
+                             mesh.patches.empty() ? 0 : mesh.patches[number],
+                             Sides::unknown,
+                             {}};
     }
   });
   return store;

@@ -13,6 +13,9 @@
 
 namespace cdfr {
 
+/// Where the two sides of a triangle lie, if all of it agrees: `outward` is in front outside, behind inside.
+enum class Sides : std::uint8_t { unknown, outward, both_inside, both_outside };
+
 /// What a query needs of a triangle only after it may have won.
 struct TriangleRecord {
   Vec3 normal_rest;                       ///< low part of the double-double unit normal
@@ -20,7 +23,10 @@ struct TriangleRecord {
   std::array<std::uint32_t, 3> edges;     ///< edge ids; no_index for a collapsed edge
   std::uint32_t number;                   ///< place in the input
   std::uint32_t patch;
+  Sides sides;
+  std::array<std::uint8_t, 7> zero;  ///< to 64 bytes, written to files
 };
+static_assert(sizeof(TriangleRecord) == 64);
 
 /// A slot is a place in BVH order: lane slot % 8 of group slot / 8.
 struct TriangleStore {

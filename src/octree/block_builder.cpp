@@ -29,9 +29,13 @@ void BlockBuilder::count(const OpenCell& cell, std::uint64_t inherited) {
   levels_[level].entries_pruned += inherited - cell.triangles;
 }
 
-/// Does the surface come into the closed cell? True where rounding leaves it open.
+/// Does the surface come into the closed grown cell, from which queries may come? True where rounding leaves
+/// it open.
 bool BlockBuilder::may_cross(const OpenCell& cell) const {
-  const Box box = lattice_.box(cell.cell);
+  const double g = lattice_.grown();
+  const Box exact = lattice_.box(cell.cell);
+  const Box box{{exact.lo.x - g, exact.lo.y - g, exact.lo.z - g},
+                {exact.hi.x + g, exact.hi.y + g, exact.hi.z + g}};
   const double away = distance_between(lattice_.centre(cell.cell), cell.dominators[0]);
   const double slack = 4 * estimate_error * lattice_.reach();
   if (away - slack > diagonal_above(box) / 2) return false;
@@ -84,7 +88,7 @@ Block BlockBuilder::laid_out(std::uint64_t key) {
     const std::vector<Entry>& list = lists_[closed];
     LeafRecord leaf;
     leaf.first = static_cast<std::uint32_t>(block.entries.size());
-    leaf.set(static_cast<std::uint32_t>(list.size()), crossed_[closed] ? Side::surface : Side::outside);
+    leaf.set(static_cast<std::uint32_t>(list.size()), crossed_[closed] ? Side::surface : Side::undecided);
     node = TreeNode::leaf(static_cast<std::uint32_t>(block.leaves.size()));
     block.leaves.push_back(leaf);
     block.entries.insert(block.entries.end(), list.begin(), list.end());

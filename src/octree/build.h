@@ -15,7 +15,7 @@ namespace cdfr {
 inline constexpr std::uint64_t block_triangles = 1U << 16;
 inline constexpr int block_deepest = 6;
 
-/// Leaves come out as `surface` where the surface may touch the closed cell, else as `outside`: the field
+/// Leaves come out as `surface` where the surface may touch the closed cell, else as `undecided`: the field
 /// sets sides. Runs in the caller's task arena; blocks in parallel. If cancelled, what comes back is
 /// incomplete. O(output) but for the levels above the blocks.
 Octree build_octree(SearchSpace space, const Lattice& lattice, const BuildOptions& options,

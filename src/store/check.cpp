@@ -86,8 +86,9 @@ Result<void> check_triangles(const FieldData& field) {
   for (std::uint32_t slot = 0; slot < t.size(); ++slot) {
     const std::uint32_t number = t.records[slot].number;
     if (number >= met.size() || met[number]) return refusal(slot, "records: bad number");
+    if (t.records[slot].sides > Sides::both_outside) return refusal(slot, "records: bad sides");
     met[number] = true;
-    if (field.sign == Sign::pseudonormal && !good_ids(field, slot)) return refusal(slot, "records: bad id");
+    if (field.sign != Sign::none && !good_ids(field, slot)) return refusal(slot, "records: bad id");
   }
   for (const std::vector<Vec3>& normals : {field.pseudonormals.edges, field.pseudonormals.vertices}) {
     for (std::size_t i = 0; i < normals.size(); ++i) {
@@ -181,7 +182,7 @@ Result<void> check_tree(const std::vector<TreeNode>& nodes, const Cell& root, co
 }
 
 bool good_leaf(const FieldData& field, const Block& block, const LeafRecord& leaf) noexcept {
-  if (leaf.count() == 0 || leaf.side() > Side::inside) return false;
+  if (leaf.count() == 0 || leaf.side() > Side::undecided) return false;
   if (std::uint64_t{leaf.first} + leaf.count() > block.entries.size()) return false;
   for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count(); ++i) {
     const Entry& entry = block.entries[i];

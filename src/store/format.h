@@ -7,7 +7,7 @@
 /// | bytes | head |
 /// | --- | --- |
 /// | 0-7 | magic "cdfr\r\n\x1a\n" |
-/// | 8-11 | version, 1 |
+/// | 8-11 | version, 2 |
 /// | 12-15 | number of sections |
 /// | 16-23 | size of the whole file |
 /// | 24-63 | zero |
@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "cdfr/mesh/audit.h"
 #include "mesh/bvh.h"
 #include "mesh/triangles.h"
 #include "octree/blocks.h"
@@ -28,13 +29,14 @@
 namespace cdfr::format {
 
 inline constexpr std::array<char, 8> magic{'c', 'd', 'f', 'r', '\r', '\n', '\x1a', '\n'};
-inline constexpr std::uint32_t version = 1;
+inline constexpr std::uint32_t version = 2;
 inline constexpr std::size_t alignment = 64;
 
 enum Section : std::size_t {
   counts,
   settings,        ///< one Settings
   unit,            ///< characters of the unit's label
+  report,          ///< one MeshReport
   groups,          ///< TriangleGroup
   records,         ///< TriangleRecord
   bvh_nodes,       ///< BvhNode
@@ -53,8 +55,9 @@ using Counts = std::array<std::uint64_t, section_count>;
 
 /// Bytes an element of each section takes.
 inline constexpr std::array<std::uint64_t, section_count> element_size{sizeof(std::uint64_t),
-                                                                       80,
+                                                                       72,
                                                                        1,
+                                                                       sizeof(MeshReport),
                                                                        sizeof(TriangleGroup),
                                                                        sizeof(TriangleRecord),
                                                                        sizeof(BvhNode),
@@ -99,10 +102,10 @@ struct Settings {
   std::uint8_t sign = 0;         ///< enum Sign: what was chosen
   std::uint8_t sign_option = 0;  ///< enum Sign: what was asked for
   std::uint8_t lists = 0;        ///< enum Lists
-  std::int8_t far_side = 0;      ///< FieldData::far_side
-  std::uint64_t vertices = 0;
+  std::uint8_t zero = 0;
 };
-static_assert(sizeof(Settings) == 80);
+static_assert(sizeof(Settings) == 72);
+static_assert(sizeof(MeshReport) == 160);
 
 struct BlockSize {
   std::uint64_t key = 0;

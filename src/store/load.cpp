@@ -97,8 +97,6 @@ void apply(const format::Settings& s, FieldData& field) {
   field.options.sign = static_cast<Sign>(s.sign_option);
   field.options.lists = static_cast<Lists>(s.lists);
   field.sign = static_cast<Sign>(s.sign);
-  field.far_side = s.far_side;
-  field.vertices = s.vertices;
 }
 
 /// The blocks' own arrays out of the concatenated ones; false if the sizes do not add up.
@@ -141,6 +139,9 @@ Result<StoredField> load(const std::filesystem::path& path) {
   if (settings.size() != 1) return refusal(sizeof(format::Head), "section counts do not fit the file");
   apply(settings[0], field);
   const auto unit = sections.next<char>();
+  const auto report = sections.next<MeshReport>();
+  if (report.size() != 1) return refusal(sizeof(format::Head), "section counts do not fit the file");
+  field.report = report[0];
   field.triangles.groups = sections.next<TriangleGroup>();
   field.triangles.records = sections.next<TriangleRecord>();
   field.bvh.nodes = sections.next<BvhNode>();
@@ -150,6 +151,7 @@ Result<StoredField> load(const std::filesystem::path& path) {
   if (!split(sections, field.tree.blocks)) return refusal(sizeof(format::Head), "block sizes do not add up");
   field.tree.levels = sections.next<LevelStats>();
   if (Result<void> good = check_field(field); !good) return good.error();
+  derive_sides(field);
   index_leaves(field);
   return StoredField{Field(std::make_shared<const FieldData>(std::move(field))),
                      std::string(unit.begin(), unit.end())};

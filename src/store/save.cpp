@@ -67,8 +67,6 @@ format::Settings settings_of(const FieldData& field) {
   s.sign = static_cast<std::uint8_t>(field.sign);
   s.sign_option = static_cast<std::uint8_t>(field.options.sign);
   s.lists = static_cast<std::uint8_t>(field.options.lists);
-  s.far_side = static_cast<std::int8_t>(field.far_side);
-  s.vertices = field.vertices;
   return s;
 }
 
@@ -92,6 +90,7 @@ format::Counts counts_of(const FieldData& field, const std::string& unit) {
   c[format::counts] = format::section_count;
   c[format::settings] = 1;
   c[format::unit] = unit.size();
+  c[format::report] = 1;
   c[format::groups] = field.triangles.groups.size();
   c[format::records] = field.triangles.records.size();
   c[format::bvh_nodes] = field.bvh.nodes.size();
@@ -141,6 +140,7 @@ Result<void> save(const Field& field, const std::filesystem::path& path, const s
   section(std::span<const std::uint64_t>(counts));
   section(std::span<const format::Settings>(&settings, 1));
   section(std::span<const char>(unit));
+  section(std::span<const MeshReport>(&data.report, 1));
   section(std::span<const TriangleGroup>(data.triangles.groups));
   section(std::span<const TriangleRecord>(data.triangles.records));
   section(std::span<const BvhNode>(data.bvh.nodes));

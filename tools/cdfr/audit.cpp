@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "audit_report.h"
 #include "byte_sink.h"
 #include "cdfr/mesh/read.h"
 #include "input.h"
@@ -26,43 +27,10 @@ struct Arguments {
   Settings settings;
 };
 
-std::vector<std::string> warnings_for(const MeshReport& report) {
-  std::vector<std::string> warnings;
-  if (report.closed() && report.volume < 0) {
-    warnings.emplace_back(
-        "the volume is negative: normals point inward, and inside and outside are exchanged");
-  }
-  if (report.closed() && report.nonmanifold_vertices > 0) {
-    warnings.emplace_back("shells touch at single vertices");
-  }
-  return warnings;
-}
-
-const char* sign_that_fits(const MeshReport& report) {
-  return report.closed() ? "pseudonormal" : "none: not closed, distances are unsigned";
-}
-
-void add_counts(const MeshReport& report, Json& json) {
-  json["triangles"] = report.triangles;
-  json["vertices"] = report.vertices;
-  json["open_edges"] = report.open_edges;
-  json["nonmanifold_edges"] = report.nonmanifold_edges;
-  json["flipped_edges"] = report.flipped_edges;
-  json["nonmanifold_vertices"] = report.nonmanifold_vertices;
-  json["degenerate_triangles"] = report.degenerate_triangles;
-  json["duplicate_triangles"] = report.duplicate_triangles;
-  json["components"] = report.components;
-}
-
 Json audit_json(const Arguments& arguments, const Mesh& mesh, const MeshReport& report) {
   Json json = begin_report(arguments.input, arguments.settings.unit);
-  add_counts(report, json);
-  json["closed"] = report.closed();
-  json["volume"] = report.volume;
-  json["area"] = report.area;
+  json.update(json_of(report));
   json["box"] = json_of(report.box);
-  json["sign"] = report.closed() ? "pseudonormal" : "none";
-  json["sign_text"] = sign_that_fits(report);
   json["patches"] = mesh.patch_names;
   json["warnings"] = warnings_for(report);
   return json;
@@ -79,25 +47,18 @@ std::string patches_text(const std::vector<std::string>& names) {
 void add_measures(const MeshReport& report, const std::string& unit, TextReport& text) {
   const std::string label = after_number(unit);
   text.line("closed", report.closed() ? "yes" : "no");
+  text.line("embedded", report.embedded() ? "yes" : "no");
   text.line("volume", short_text(report.volume) + (label.empty() ? "" : label + "^3") +
                           (report.closed() ? "" : " (of an open surface: says little)"));
   text.line("area", short_text(report.area) + (label.empty() ? "" : label + "^2"));
   text.line("box", short_text(report.box.lo) + " to " + short_text(report.box.hi) + label);
-  text.line("sign that fits", sign_that_fits(report));
+  text.line("sign that fits", sign_text(report.sign()) + (": " + sign_reason(report)));
   for (const std::string& warning : warnings_for(report)) text.line("warning", warning);
 }
 
 std::string audit_text(const Arguments& arguments, const Mesh& mesh, const MeshReport& report) {
   TextReport text(terminal_text(arguments.input));
-  text.line("triangles", count_text(report.triangles));
-  text.line("vertices", count_text(report.vertices));
-  text.line("open edges", count_text(report.open_edges));
-  text.line("non-manifold edges", count_text(report.nonmanifold_edges));
-  text.line("flipped edges", count_text(report.flipped_edges));
-  text.line("non-manifold vertices", count_text(report.nonmanifold_vertices));
-  text.line("degenerate triangles", count_text(report.degenerate_triangles));
-  text.line("duplicate triangles", count_text(report.duplicate_triangles));
-  text.line("components", count_text(report.components));
+  add_counts(report, text);
   if (!mesh.patch_names.empty()) text.line("patches", patches_text(mesh.patch_names));
   add_measures(report, arguments.settings.unit, text);
   return text.text();

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "audit_report.h"
 #include "number_text.h"
 #include "terminal_text.h"
 #include "text_report.h"
@@ -62,10 +63,13 @@ Json field_json(const std::string& name, const Input& input) {
   report["triangles"] = stats.triangles;
   report["vertices"] = stats.vertices;
   report["sign"] = sign_text(input.field.sign());
+  report["audit"] = json_of(input.field.report());
   report["bounds"] = json_of(input.field.bounds());
   report["domain"] = json_of(input.field.domain());
-  report["leaves"] = {
-      {"inside", stats.inside_leaves}, {"surface", stats.surface_leaves}, {"outside", stats.outside_leaves}};
+  report["leaves"] = {{"inside", stats.inside_leaves},
+                      {"surface", stats.surface_leaves},
+                      {"outside", stats.outside_leaves},
+                      {"undecided", stats.undecided_leaves}};
   report["levels"] = levels_json(stats);
   report["list"] = {{"mean", stats.mean_list}, {"p95", stats.p95_list}, {"max", stats.max_list}};
   report["entries"] = stats.entries;
@@ -78,16 +82,21 @@ Json field_json(const std::string& name, const Input& input) {
 
 std::string field_text(const std::string& name, const Input& input) {
   const Stats stats = input.field.stats();
-  const std::uint64_t leaves = stats.inside_leaves + stats.surface_leaves + stats.outside_leaves;
+  const std::uint64_t leaves =
+      stats.inside_leaves + stats.surface_leaves + stats.outside_leaves + stats.undecided_leaves;
   TextReport report(terminal_text(name));
   report.line("triangles", count_text(stats.triangles));
   report.line("vertices", count_text(stats.vertices));
   report.line("sign", sign_text(input.field.sign()));
+  report.line("mesh", sign_reason(input.field.report()));
   report.line("part", box_text(input.field.bounds(), input.unit));
   report.line("domain", box_text(input.field.domain(), input.unit));
-  report.line("leaves", count_text(leaves) + ": " + count_text(stats.inside_leaves) + " inside, " +
-                            count_text(stats.surface_leaves) + " at the surface, " +
-                            count_text(stats.outside_leaves) + " outside");
+  report.line(
+      "leaves",
+      count_text(leaves) + ": " + count_text(stats.inside_leaves) + " inside, " +
+          count_text(stats.surface_leaves) + " at the surface, " + count_text(stats.outside_leaves) +
+          " outside" +
+          (stats.undecided_leaves == 0 ? "" : ", " + count_text(stats.undecided_leaves) + " undecided"));
   report.line("triangles a leaf", "mean " + short_text(stats.mean_list) + ", 95 % at most " +
                                       short_text(stats.p95_list) + ", all at most " +
                                       count_text(stats.max_list));

@@ -2,11 +2,13 @@
 
 #include <array>
 #include <chrono>
+#include <cstdio>
 #include <fstream>
 #include <string_view>
 #include <utility>
 
 #include "cdfr/mesh/audit.h"
+#include "cdfr/mesh/flip.h"
 #include "cdfr/mesh/read.h"
 #include "cdfr/store/store.h"
 #include "output_target.h"
@@ -21,19 +23,17 @@ constexpr std::string_view saved_magic = "cdfr\r\n\x1a\n";
 constexpr const char* no_inside =
     "the field is unsigned (sign: none), so there is no inside and no depth; see cdfr audit";
 
-/// The reason why a field of this mesh would have no inside, found before the long work.
-void demand_inside(const std::filesystem::path& path, const Mesh& mesh, Sign sign) {
-  if (sign == Sign::none) stop_failed(path, no_inside);
-  if (sign != Sign::automatic) return;
-  const MeshReport report = need(audit(mesh.view()), path);
-  if (!report.closed()) {
-    stop_failed(path, "the mesh is not closed, so there is no inside and no depth; see cdfr audit");
-  }
+/// Says that the sign was chosen, and why not the usual one.
+void note_sign(const Field& field, const Settings& settings) {
+  if (settings.quiet || field.options().sign != Sign::automatic || field.sign() == Sign::pseudonormal) return;
+  std::fprintf(stderr, "note: sign by %s: %s\n", sign_text(field.sign()),
+               sign_reason(field.report()).c_str());
 }
 
 Input build_mesh(const std::filesystem::path& path, const Settings& settings, Demand demand) {
+  if (demand == Demand::inside && settings.build.sign == Sign::none) stop_failed(path, no_inside);
   Mesh mesh = need(read_mesh(path), path);
-  if (demand == Demand::inside) demand_inside(path, mesh, settings.build.sign);
+  if (settings.flip) flip(mesh);
   Steering steering(settings, "building");
   Field field = need(Field::build(mesh.view(), settings.build, steering.run()), path);
   return {std::move(field), settings.unit, std::move(mesh)};
@@ -64,6 +64,7 @@ Input open_input(const std::filesystem::path& path, const Settings& settings, De
   const auto start = std::chrono::steady_clock::now();
   Input input = is_saved_field(path) ? load_field(path, settings) : build_mesh(path, settings, demand);
   if (demand == Demand::inside && input.field.sign() == Sign::none) stop_failed(path, no_inside);
+  note_sign(input.field, settings);
   input.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return input;
 }

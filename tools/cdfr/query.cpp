@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "answer_table.h"
+#include "audit_report.h"
 #include "byte_sink.h"
 #include "cdfr/mesh/read.h"
 #include "input.h"
@@ -74,6 +75,7 @@ Summary answer(const Arguments& arguments, const Field& field, std::span<const V
 Json query_json(const Arguments& arguments, const Input& input, const Summary& summary) {
   Json report = begin_report(arguments.input, input.unit);
   report["sign"] = sign_text(input.field.sign());
+  report["audit"] = json_of(input.field.report());
   report["points"] = summary.points;
   report["inside"] = summary.inside;
   report["distance"] = nullptr;

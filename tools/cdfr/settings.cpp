@@ -12,8 +12,11 @@ namespace {
 constexpr int most_threads = 1024;
 constexpr int deepest_level = 18;
 
-const std::map<std::string, Sign> signs{
-    {"automatic", Sign::automatic}, {"pseudonormal", Sign::pseudonormal}, {"none", Sign::none}};
+const std::map<std::string, Sign> signs{{"auto", Sign::automatic},
+                                        {"automatic", Sign::automatic},
+                                        {"pseudonormal", Sign::pseudonormal},
+                                        {"winding", Sign::winding},
+                                        {"none", Sign::none}};
 const std::map<std::string, Lists> lists_by_name{{"corner", Lists::corner}, {"band", Lists::band}};
 
 /// An option whose value is one of a few words.
@@ -73,7 +76,9 @@ void add_build_options(CLI::App& verb, Settings& settings) {
       add_choice(verb, "--lists", build.lists, lists_by_name,
                  "Which triangles a leaf keeps: corner (the tight rule) or band (the source paper's)"),
       add_choice(verb, "--sign", build.sign, signs,
-                 "How inside is told from outside: automatic, pseudonormal or none"),
+                 "How inside is told from outside: automatic (by the audit), pseudonormal, winding or none"),
+      verb.add_flag("--flip", settings.flip,
+                    "Turn the mesh inside out first: front and back of every triangle change places"),
   };
   for (const CLI::Option* option : settings.build_options) {
     verb.get_option(option->get_name())->group("Build options (where INPUT is a mesh)");
@@ -93,6 +98,8 @@ const char* sign_text(Sign sign) {
       return "automatic";
     case Sign::pseudonormal:
       return "pseudonormal";
+    case Sign::winding:
+      return "winding";
     case Sign::none:
       return "none";
   }

@@ -16,6 +16,7 @@ struct Settings {
   bool json = false;
   std::string unit;
   BuildOptions build;
+  bool flip = false;
   std::vector<const CLI::Option*> build_options;  ///< for telling which were given
 
   /// Name of a build option that was given, or empty.

@@ -14,6 +14,7 @@
 #include "cdfr/core/result.h"
 #include "cdfr/core/run.h"
 #include "cdfr/core/types.h"
+#include "cdfr/mesh/audit.h"
 #include "cdfr/mesh/mesh.h"
 #include "cdfr/octree/leaf.h"
 #include "cdfr/octree/options.h"
@@ -36,7 +37,7 @@ struct Closest {
 
 struct Stats {
   std::uint64_t triangles = 0, vertices = 0;
-  std::uint64_t inside_leaves = 0, surface_leaves = 0, outside_leaves = 0;
+  std::uint64_t inside_leaves = 0, surface_leaves = 0, outside_leaves = 0, undecided_leaves = 0;
   std::uint64_t entries = 0;           ///< of all leaves: groups of up to 8 triangles and BVH nodes
   double mean_list = 0, p95_list = 0;  ///< triangles a leaf
   std::uint64_t max_list = 0;
@@ -58,8 +59,8 @@ class CDFR_API Field {
   /// NaN if x is not finite. O(1) cells in the domain, O(log n) beyond, O(n)
   /// from 2^45 times the mesh's size on; no allocation.
   double distance(Vec3 x) const noexcept;
-  /// Distance with all that belongs to it. Ties in the computed distance go to the lowest triangle number; a triangle of no
-  /// area wins only where no proper one is as close.
+  /// Distance with all that belongs to it. Ties in the computed distance go to the lowest triangle number; a
+  /// triangle of no area wins only where no proper one is as close.
   Closest closest(Vec3 x) const noexcept;
   /// Batch forms: out[i] belongs to x[i]. Errors: cancelled. Precondition: out.size() == x.size().
   Result<void> distance(Points x, std::span<double> out, const Run& run = {}) const;
@@ -71,6 +72,8 @@ class CDFR_API Field {
   Box bounds() const noexcept;
   /// Never automatic: what was chosen.
   Sign sign() const noexcept;
+  /// What the audit found when the field was built.
+  const MeshReport& report() const noexcept;
   BuildOptions options() const noexcept;
   /// O(leaves).
   Stats stats() const;

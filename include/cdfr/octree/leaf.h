@@ -8,8 +8,9 @@
 
 namespace cdfr {
 
-/// Which side of the surface a leaf is on.
-enum class Side : std::uint8_t { outside, surface, inside };
+/// Which side of the surface a leaf is on. `undecided`: no triangle comes in, but the mesh is open and all of
+/// the leaf could not be shown to be on one side.
+enum class Side : std::uint8_t { outside, surface, inside, undecided };
 
 /// One leaf of the octree. `triangles` are numbers in the input, ascending.
 struct Leaf {

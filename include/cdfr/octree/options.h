@@ -3,15 +3,9 @@
 
 #include <cstdint>
 
-namespace cdfr {
+#include "cdfr/mesh/sign.h"
 
-/// How inside is told from outside. A signed distance is negative inside.
-enum class Sign : std::uint8_t {
-  automatic,  ///< pseudonormal on a closed, consistently oriented mesh, else none; Field::sign() says which
-  pseudonormal,  ///< by the angle-weighted normal of the closest feature, certified, exact parity where
-                 ///< undecided
-  none,          ///< unsigned: distances are never negative
-};
+namespace cdfr {
 
 /// Which triangles a leaf keeps.
 enum class Lists : std::uint8_t {

@@ -1,0 +1,14 @@
+/// Inside or outside: the method that the field was built with, from the cheapest certain answer on.
+#pragma once
+
+#include "cdfr/core/types.h"
+#include "field/field_data.h"
+#include "field/query.h"
+
+namespace cdfr {
+
+/// 1 outside, -1 inside; 1 if unsigned or if the winner's distance is zero. The same whether a leaf or brute
+/// force found the winner.
+int side_of(const FieldData& field, const Vec3& p, const Winner& winner) noexcept;
+
+}  // namespace cdfr

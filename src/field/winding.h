@@ -1,0 +1,61 @@
+/// The generalised winding number: how often a mesh, open or closed, winds around a point.
+///
+/// w(p) = sum of the triangles' solid angles / 4 pi (Jacobson, Kavan, Sorkine-Hornung, "Robust inside-outside
+/// segmentation using generalized winding numbers", 2013). Far nodes of the BVH answer as a whole by their
+/// first two moments (Barill, Dickson, Schmidt, Levin, Jacobson, "Fast winding numbers for soups and clouds",
+/// 2018), here with a bound on what they leave out, so that a sum is refined until it says on which side of
+/// 1/2 it is, down to single triangles.
+///
+/// **The bound.** A triangle's angle is the integral of n . g(h), g = grad of -1/|r + h|, over its points
+/// centre + h, r from p to the centre, d = |r|. The k-th term of g's expansion in h is the gradient of a
+/// zonal solid harmonic of degree k + 1 over d^(k+2), and is at most (k + 1)|h|^k / d^(k+2) (Bernstein's and
+/// Szego's inequality for Legendre polynomials). Kept are k = 0 and 1. With |h| <= R, q = R/d < 1 and the
+/// spread S = the integral of |h|^2, the rest is at most S/R^2 / d^2 * sum over k >= 2 of (k + 1) q^k = S (3
+/// - 2 q) / (d^4 (1 - q)^2).
+///
+/// **Sides of leaves.** Where no triangle is, w is harmonic and its gradient is the Biot-Savart field of the
+/// mesh's boundary: at most L / (4 pi r^2) for boundary of length L, none nearer than r. So w stays on one
+/// side of 1/2 all over a leaf of radius R about c if |w(c) - 1/2| > R * sum of L_i / (4 pi (r_i - R)^2), r_i
+/// the distance from c to the part i of the boundary.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "cdfr/core/types.h"
+#include "cdfr/octree/leaf.h"
+#include "geometry/solid_angle.h"
+#include "mesh/bvh.h"
+
+namespace cdfr {
+
+/// Moments of all triangles below a BVH node.
+struct WindingMoments {
+  Vec3 centre;                    ///< of area
+  Vec3 area;                      ///< integral of the normal
+  std::array<double, 6> first{};  ///< symmetric part of the integral of n h^T: xx, yy, zz, xy, yz, zx
+  double total = 0;               ///< area, rounded up
+  double spread = 0;              ///< integral of |h|^2, rounded up
+  double radius = 0;              ///< no |h| is larger
+  double boundary = 0;  ///< length of edges that are run along more often one way, each in one triangle
+};
+
+/// One a BVH node; empty for a mesh that needs none.
+using WindingTree = std::vector<WindingMoments>;
+
+/// Edge ids of the records are below edge_count. O(n).
+WindingTree build_winding_tree(SearchSpace space, std::size_t edge_count);
+
+/// w(p), nodes taken whole where p is at least `opening` of their radii away; infinite: triangle by triangle.
+Bounded winding_number(const WindingTree& tree, SearchSpace space, const Vec3& p, double opening) noexcept;
+
+/// w(p) > 1/2, refined until certain or exact but for rounding.
+bool winds(const WindingTree& tree, SearchSpace space, const Vec3& p) noexcept;
+
+/// The side of all points within `radius` of `centre`, among which no triangle is; undecided if the bound is
+/// too weak.
+Side side_of_ball(const WindingTree& tree, SearchSpace space, const Vec3& centre, double radius) noexcept;
+
+}  // namespace cdfr

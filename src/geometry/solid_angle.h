@@ -1,0 +1,24 @@
+/// The solid angle that a triangle takes up as seen from a point.
+#pragma once
+
+#include <array>
+
+#include "cdfr/core/types.h"
+
+namespace cdfr {
+
+/// A number and a bound on its error.
+struct Bounded {
+  double value = 0;
+  double error = 0;
+};
+
+/// Signed, in [-2 pi, 2 pi]: positive if p is behind the triangle, where the normal does not point. 0 for a
+/// triangle of no area and for p in its plane; within 2^-80 of the border anything, with an error that says
+/// so. The formula is van Oosterom's and Strackee's ("The solid angle of a plane triangle", 1983), tan(angle
+/// / 2) = det(a, b, c) / (|a||b||c| + (a.b)|c| + (b.c)|a| + (c.a)|b|), which loses digits where p is near an
+/// edge: there numerator and denominator are taken in double-double. The sign is exact. Precondition: the
+/// range of query_range.h.
+Bounded solid_angle(const Vec3& p, const std::array<Vec3, 3>& triangle) noexcept;
+
+}  // namespace cdfr

@@ -1,0 +1,30 @@
+/// A mesh taken apart: what its audit says, and all that was made to find out, which a field needs too.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cdfr/mesh/audit.h"
+#include "core/progress.h"
+#include "mesh/bvh.h"
+#include "mesh/topology.h"
+#include "mesh/triangles.h"
+
+namespace cdfr {
+
+struct Examined {
+  MeshReport report;
+  Topology topology;
+  Bvh bvh;
+  TriangleStore triangles;  ///< with their sides, if the mesh is balanced
+  /// By edge and vertex id: 1 if the triangles there are one sheet of one shell, which no others touch.
+  std::vector<std::uint8_t> plain_edges, plain_vertices;
+
+  SearchSpace space() const noexcept { return {triangles, bvh}; }
+};
+
+/// Errors: audit's. Runs in the caller's task arena. O(n log n) but for
+/// triangles that overlap many others' boxes.
+Result<Examined> examine(MeshView mesh, Progress& progress);
+
+}  // namespace cdfr
