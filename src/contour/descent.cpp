@@ -43,6 +43,7 @@ void Descent::run(const Cube& cube) {
 void Descent::finish(const Cube& cube) {
   const Sample centre = sample(cube.centre());
   if (!passes(level_, centre.value, cube) || put_point(centre, cube)) return;
+  if (!centre.on_side && off_side(cube, centre.value)) return;
   Stuck stuck{cube, centre, centre};
   halve(cube, most_halvings, stuck);
   if (stuck.found || stuck.excluded || put_from_highest(stuck)) return;
@@ -59,11 +60,17 @@ bool Descent::put_point(const Sample& at, const Cube& within) {
   return put(from_eigen(foot + offset * (level_.height / at.value)), at, level_.rounding, within);
 }
 
+/// The gradient of the signed distance points along the ray on either side of the surface, outward; `side`
+/// turns it. Where the sign jumps the contour may be on either side of the surface.
 bool Descent::put_away(const Sample& at, const Cube& within) {
-  const Eigen::Vector3d foot = to_eigen(at.foot);
-  // The gradient of the signed distance points along the ray on either side of the surface, outward; `side`
-  // turns it.
   const Eigen::Vector3d direction = to_eigen(at.gradient) * level_.side;
+  return put_along(at, from_eigen(direction), within) ||
+         (level_.jumps && put_along(at, from_eigen(-direction), within));
+}
+
+bool Descent::put_along(const Sample& at, const Vec3& along, const Cube& within) {
+  const Eigen::Vector3d foot = to_eigen(at.foot);
+  const Eigen::Vector3d direction = to_eigen(along);
   const double hair = 2 * level_.rounding;
   const Sample beyond = sample(from_eigen(foot + direction * (level_.height + hair)));
   if (beyond.value < level_.height + level_.rounding) return false;
@@ -73,6 +80,11 @@ bool Descent::put_away(const Sample& at, const Cube& within) {
 /// A point serves a cube if it is within E/2 of the centre: then it is within E of all of the cube.
 bool Descent::put(const Vec3& position, const Sample& from, double error, const Cube& within) {
   if (distance_apart(position, within.centre()) > tolerance_ / 2 + 16 * level_.rounding) return false;
+  if (level_.jumps && level_.height > 0) {
+    const Sample here = sample(position);
+    if (here.on_side) points_.push_back({position, here.gradient, here.triangle, error});
+    return here.on_side;
+  }
   points_.push_back({position, from.gradient, from.triangle, error});
   return true;
 }
@@ -127,6 +139,16 @@ bool Descent::try_corners(const Cube& piece, Stuck& stuck) {
   return false;
 }
 
+/// True if the sign jumps and all of the cube is certainly on the other side. `value` is that of its centre:
+/// beyond the half diagonal no triangle comes in.
+bool Descent::off_side(const Cube& cube, double value) const noexcept {
+  if (!level_.jumps || level_.height == 0) return false;
+  const double radius = cube.half_diagonal() + level_.rounding;
+  if (!(value > radius)) return false;
+  const Side wrong = level_.side > 0 ? Side::inside : Side::outside;
+  return side_of_ball(field_.winding, field_.space(), cube.centre(), radius) == wrong;
+}
+
 /// Depth first, until a point is found or all is excluded.
 void Descent::halve(const Cube& piece, int times, Stuck& stuck) {
   const double most = distance_above(field_, piece.lo, piece.size) + level_.rounding;
@@ -141,7 +163,7 @@ void Descent::halve(const Cube& piece, int times, Stuck& stuck) {
   for (int child = 0; child < 8; ++child) {
     const Cube octant = piece.octant(child);
     if (try_sample(octant.centre(), stuck)) return;
-    if (!passes(level_, stuck.last, octant)) continue;
+    if (!passes(level_, stuck.last, octant) || off_side(octant, stuck.last)) continue;
     halve(octant, times - 1, stuck);
     if (stuck.found || (!stuck.excluded && stuck.trials >= most_trials)) return;
   }

@@ -18,6 +18,9 @@
 /// point. A cube that 2^-10 of its edge, or a fixed number of trials, leaves undecided gives the place where
 /// the value came closest, with an infinite error: nothing says that the contour is near. It happens where
 /// the height is the depth of a medial sheet to the last bits.
+///
+/// Where the sign jumps (Level), a point counts only on the contour's side, and a cube without triangles that
+/// the winding number keeps on the other side (field/winding.h) is excluded.
 #pragma once
 
 #include <cstdint>
@@ -66,12 +69,14 @@ class Descent {
   void finish(const Cube& cube);
   bool put_point(const Sample& at, const Cube& within);
   bool put_away(const Sample& at, const Cube& within);
+  bool put_along(const Sample& at, const Vec3& direction, const Cube& within);
   bool put(const Vec3& position, const Sample& from, double error, const Cube& within);
   bool put_between(const Sample& below, const Sample& above, const Cube& within);
   bool put_from_highest(const Stuck& stuck);
   bool try_corners(const Cube& piece, Stuck& stuck);
   bool try_sample(const Vec3& x, Stuck& stuck);
   void halve(const Cube& piece, int times, Stuck& stuck);
+  bool off_side(const Cube& cube, double value) const noexcept;
 
   const FieldData& field_;
   const Level& level_;

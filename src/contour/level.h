@@ -12,19 +12,27 @@ namespace cdfr {
 
 /// The signed distance t as a side and a height: the contour is where value() equals `height`. Inside (t < 0)
 /// the signed distance is turned round, so that values grow away from the surface on the contour's own side.
+///
+/// Where the mesh is open the sign changes off the surface too and the signed distance jumps there. Then
+/// values are unsigned, which have slope 1 everywhere, and points on the wrong side are left out.
 struct Level {
   double height = 0;  ///< |t|
   double side = 1;    ///< -1 inside
   double rounding =
       0;  ///< 16 ulp at the largest coordinate in play: covers the kernel (4) and one point's arithmetic
+  bool jumps = false;
 
-  double value(double signed_distance) const noexcept { return side * signed_distance; }
+  double value(double signed_distance) const noexcept {
+    return jumps ? std::fabs(signed_distance) : side * signed_distance;
+  }
+  bool on_side(double signed_distance) const noexcept { return (signed_distance < 0) == (side < 0); }
 };
 
 /// A point with all that is needed to move from it.
 struct Sample {
   Vec3 position;
   double value = 0;
+  bool on_side = true;
   Vec3 foot;      ///< closest surface point
   Vec3 gradient;  ///< of the signed distance
   std::uint32_t triangle = no_index;
@@ -36,7 +44,12 @@ inline double value_at(const FieldData& field, const Level& level, const Vec3& x
 
 inline Sample sample_at(const FieldData& field, const Level& level, const Vec3& x) noexcept {
   const Closest closest = closest_point(field, x, Finder::tree);
-  return {x, level.value(closest.distance), closest.point, closest.gradient, closest.triangle};
+  return {x,
+          level.value(closest.distance),
+          level.on_side(closest.distance),
+          closest.point,
+          closest.gradient,
+          closest.triangle};
 }
 
 }  // namespace cdfr

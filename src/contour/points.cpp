@@ -28,7 +28,8 @@ Level level_of(const FieldData& field, double distance) noexcept {
   const Box domain = field.tree.lattice.domain();
   const double largest =
       std::max(largest_magnitude(domain.lo), largest_magnitude(domain.hi)) + std::fabs(distance);
-  return {std::fabs(distance), distance < 0 ? -1.0 : 1.0, 16 * std::ldexp(1.0, std::ilogb(largest) - 52)};
+  return {std::fabs(distance), distance < 0 ? -1.0 : 1.0, 16 * std::ldexp(1.0, std::ilogb(largest) - 52),
+          !field.winding.empty()};
 }
 
 struct Found {

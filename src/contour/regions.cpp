@@ -44,6 +44,8 @@ class Regions {
         const Cube cube{lattice.box(cell).lo, lattice.size(cell.level)};
         const LeafRecord& leaf = blocks[i].leaves[number];
         const double least = blocks[i].entries[leaf.first].distance() * lattice.edge;
+        const Side wrong = level_.side > 0 ? Side::inside : Side::outside;
+        if (level_.jumps && leaf.side() == wrong) return;
         if (least > level_.height + cube.half_diagonal() + level_.rounding || !progress_.poll()) return;
         ++evaluations[i];
         if (passes(level_, value_at(field_, level_, cube.centre()), cube)) visited[i].push_back(cube);
@@ -76,7 +78,7 @@ class Regions {
   bool reaches_beyond() const noexcept {
     const Box domain = field_.tree.lattice.domain();
     const Box& box = field_.bounds();
-    const double reach = level_.side > 0 ? level_.height + level_.rounding : 0;
+    const double reach = level_.side > 0 || level_.jumps ? level_.height + level_.rounding : 0;
     return !contains(domain, {box.lo.x - reach, box.lo.y - reach, box.lo.z - reach}) ||
            !contains(domain, {box.hi.x + reach, box.hi.y + reach, box.hi.z + reach});
   }

@@ -19,8 +19,10 @@ std::uint64_t bytes_of(const std::vector<T>& v) noexcept {
 std::uint64_t total_bytes(const FieldData& field) noexcept {
   std::uint64_t bytes = sizeof field + bytes_of(field.triangles.groups) + bytes_of(field.triangles.records) +
                         bytes_of(field.bvh.nodes) + bytes_of(field.pseudonormals.edges) +
-                        bytes_of(field.pseudonormals.vertices) + bytes_of(field.winding) +
-                        bytes_of(field.tree.top) + bytes_of(field.tree.blocks) + bytes_of(field.tree.levels) +
+                        bytes_of(field.pseudonormals.vertices) + bytes_of(field.winding.nodes) +
+                        bytes_of(field.winding.boundary.edges) + bytes_of(field.winding.boundary.first) +
+                        bytes_of(field.winding.boundary.lengths) + bytes_of(field.tree.top) +
+                        bytes_of(field.tree.blocks) + bytes_of(field.tree.levels) +
                         bytes_of(field.first_leaf);
   for (const Block& block : field.tree.blocks) {
     bytes += bytes_of(block.nodes) + bytes_of(block.leaves) + bytes_of(block.entries);

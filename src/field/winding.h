@@ -12,11 +12,6 @@
 /// Szego's inequality for Legendre polynomials). Kept are k = 0 and 1. With |h| <= R, q = R/d < 1 and the
 /// spread S = the integral of |h|^2, the rest is at most S/R^2 / d^2 * sum over k >= 2 of (k + 1) q^k = S (3
 /// - 2 q) / (d^4 (1 - q)^2).
-///
-/// **Sides of leaves.** Where no triangle is, w is harmonic and its gradient is the Biot-Savart field of the
-/// mesh's boundary: at most L / (4 pi r^2) for boundary of length L, none nearer than r. So w stays on one
-/// side of 1/2 all over a leaf of radius R about c if |w(c) - 1/2| > R * sum of L_i / (4 pi (r_i - R)^2), r_i
-/// the distance from c to the part i of the boundary.
 #pragma once
 
 #include <array>
@@ -26,6 +21,7 @@
 
 #include "cdfr/core/types.h"
 #include "cdfr/octree/leaf.h"
+#include "field/boundary.h"
 #include "geometry/solid_angle.h"
 #include "mesh/bvh.h"
 
@@ -39,11 +35,15 @@ struct WindingMoments {
   double total = 0;               ///< area, rounded up
   double spread = 0;              ///< integral of |h|^2, rounded up
   double radius = 0;              ///< no |h| is larger
-  double boundary = 0;  ///< length of edges that are run along more often one way, each in one triangle
 };
 
-/// One a BVH node; empty for a mesh that needs none.
-using WindingTree = std::vector<WindingMoments>;
+/// Empty for a mesh that needs none.
+struct WindingTree {
+  std::vector<WindingMoments> nodes;  ///< one a BVH node
+  Boundary boundary;
+
+  bool empty() const noexcept { return nodes.empty(); }
+};
 
 /// Edge ids of the records are below edge_count. O(n).
 WindingTree build_winding_tree(SearchSpace space, std::size_t edge_count);
@@ -54,8 +54,8 @@ Bounded winding_number(const WindingTree& tree, SearchSpace space, const Vec3& p
 /// w(p) > 1/2, refined until certain or exact but for rounding.
 bool winds(const WindingTree& tree, SearchSpace space, const Vec3& p) noexcept;
 
-/// The side of all points within `radius` of `centre`, among which no triangle is; undecided if the bound is
-/// too weak.
+/// The side of all points of a ball that no triangle enters: certain if |w(centre) - 1/2| exceeds what the
+/// boundary can change (boundary.h), else undecided.
 Side side_of_ball(const WindingTree& tree, SearchSpace space, const Vec3& centre, double radius) noexcept;
 
 }  // namespace cdfr

@@ -11,6 +11,7 @@ namespace cdfr {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
+using Outline = std::array<PlanarPoint, 3>;
 using Signs = std::array<int, 3>;
 
 /// The axis along which the triangle looks largest; its projection may have no area only if rounding misled.
@@ -24,13 +25,17 @@ int broad_axis(const Corners& t) noexcept {
   return y > z ? 1 : 2;
 }
 
-int turn(const Corners& t, int axis) noexcept { return planar_orientation(t[0], t[1], t[2], axis); }
+Outline seen_along(int axis, const Corners& t) noexcept {
+  return {seen_along(axis, t[0]), seen_along(axis, t[1]), seen_along(axis, t[2])};
+}
+
+int turn(const Outline& t) noexcept { return planar_orientation(t[0], t[1], t[2]); }
 
 /// An axis along which the projection has an area, else any: then the triangle has none.
 int projection_axis(const Corners& t) noexcept {
   const int broad = broad_axis(t);
   for (const int axis : {broad, (broad + 1) % 3, (broad + 2) % 3}) {
-    if (turn(t, axis) != 0) return axis;
+    if (turn(seen_along(axis, t)) != 0) return axis;
   }
   return broad;
 }
@@ -43,17 +48,18 @@ Signs sides_of(const Corners& plane, const Corners& points) noexcept {
 
 bool strictly_on_one_side(const Signs& s) noexcept { return s[0] != 0 && s[0] == s[1] && s[1] == s[2]; }
 
-/// Seen along the axis, the line p q has one triangle on one side, or on it, and the other strictly on the
-/// other.
-bool line_separates(const Vec3& p, const Vec3& q, const Vec3& own, const Corners& others, int axis) noexcept {
-  const int side = planar_orientation(p, q, others[0], axis);
-  return side != 0 && planar_orientation(p, q, others[1], axis) == side &&
-         planar_orientation(p, q, others[2], axis) == side && planar_orientation(p, q, own, axis) != side;
+/// The line p q has `own`, the rest of one triangle, on one side or on it, and the others strictly on the
+/// other side.
+bool line_separates(const PlanarPoint& p, const PlanarPoint& q, const PlanarPoint& own,
+                    const Outline& others) noexcept {
+  const int side = planar_orientation(p, q, others[0]);
+  return side != 0 && planar_orientation(p, q, others[1]) == side &&
+         planar_orientation(p, q, others[2]) == side && planar_orientation(p, q, own) != side;
 }
 
-bool an_edge_separates(const Corners& a, const Corners& b, int axis) noexcept {
+bool an_edge_separates(const Outline& a, const Outline& b) noexcept {
   for (int k = 0; k < 3; ++k) {
-    if (line_separates(a[k], a[(k + 1) % 3], a[(k + 2) % 3], b, axis)) return true;
+    if (line_separates(a[k], a[(k + 1) % 3], a[(k + 2) % 3], b)) return true;
   }
   return false;
 }
@@ -76,19 +82,22 @@ bool crossing_segment_meets(const Vec3& p, const Vec3& q, int side_of_p, int sid
 /// Convex sets in a plane that are apart are separated by the line of a side of one of them, for one of those
 /// lines bounds their Minkowski difference towards the origin; the difference with a segment has sides along
 /// the triangle's and the segment's only.
-bool planar_segment_meets(const Vec3& p, const Vec3& q, const Corners& t, int axis) noexcept {
-  if (line_separates(p, q, p, t, axis)) return false;
-  const int inside = turn(t, axis);
+bool planar_segment_meets(const PlanarPoint& p, const PlanarPoint& q, const Outline& t) noexcept {
+  if (line_separates(p, q, p, t)) return false;
+  const int outside = -turn(t);
   for (int k = 0; k < 3; ++k) {
-    const Vec3 &from = t[k], &to = t[(k + 1) % 3];
-    if (planar_orientation(from, to, p, axis) == -inside && planar_orientation(from, to, q, axis) == -inside)
+    const PlanarPoint &from = t[k], &to = t[(k + 1) % 3];
+    if (planar_orientation(from, to, p) == outside && planar_orientation(from, to, q) == outside)
       return false;
   }
   return true;
 }
 
 bool segment_meets(const Vec3& p, const Vec3& q, int side_of_p, int side_of_q, const Corners& t) noexcept {
-  if (side_of_p == 0 && side_of_q == 0) return planar_segment_meets(p, q, t, projection_axis(t));
+  if (side_of_p == 0 && side_of_q == 0) {
+    const int axis = projection_axis(t);
+    return planar_segment_meets(seen_along(axis, p), seen_along(axis, q), seen_along(axis, t));
+  }
   return crossing_segment_meets(p, q, side_of_p, side_of_q, t);
 }
 
@@ -105,7 +114,8 @@ bool an_edge_meets(const Corners& edges, const Signs& sides, const Corners& t) n
 /// separates them (as above). Triangles in different planes meet in a segment or point of the line of both
 /// planes; where it ends, an edge of one of them ends it, so an edge of one meets the other.
 bool meet_apart(const Corners& a, const Corners& b, int axis) noexcept {
-  if (an_edge_separates(a, b, axis) || an_edge_separates(b, a, axis)) return false;
+  const Outline a_seen = seen_along(axis, a), b_seen = seen_along(axis, b);
+  if (an_edge_separates(a_seen, b_seen) || an_edge_separates(b_seen, a_seen)) return false;
   const Signs b_sides = sides_of(a, b);
   if (strictly_on_one_side(b_sides)) return false;
   if (b_sides == Signs{}) return true;
@@ -115,42 +125,46 @@ bool meet_apart(const Corners& a, const Corners& b, int axis) noexcept {
 }
 
 /// True if from v the points p and q are seen in opposite directions of an axis.
-bool opposite(const Vec3& v, const Vec3& p, const Vec3& q) noexcept {
-  const auto along = [](double at, double first, double second) {
+bool opposite(const PlanarPoint& v, const PlanarPoint& p, const PlanarPoint& q) noexcept {
+  const auto between = [](double at, double first, double second) {
     return (first < at && at < second) || (second < at && at < first);
   };
-  return along(v.x, p.x, q.x) || along(v.y, p.y, q.y) || along(v.z, p.z, q.z);
+  return between(v.u, p.u, q.u) || between(v.v, p.v, q.v);
 }
 
-/// A point of a triangle as seen from the line of an edge of the other.
+/// A corner as seen from the line of an edge of the other triangle.
 struct Seen {
-  const Vec3& point;
+  const PlanarPoint& point;
   int side = 0;
 };
 
-/// The line through v and p in a projection has the rest of p's triangle on its side `own`. It separates the
-/// triangles but for v if the other one is strictly on the other side, or reaches the line in an edge that
-/// leaves v in the opposite direction: then the triangles' parts over the line have only v in common.
-bool ray_separates(const Vec3& v, const Vec3& p, int own, const Seen& first, const Seen& second) noexcept {
+/// The line through v and p has the rest of p's triangle on its side `own`. It separates the triangles but
+/// for v if the other one is strictly on the other side, or reaches the line in an edge that leaves v in the
+/// opposite direction: then what the triangles have over the line has only v in common.
+bool ray_separates(const PlanarPoint& v, const PlanarPoint& p, int own, const Seen& first,
+                   const Seen& second) noexcept {
   const int side = first.side + second.side;
   if (side == 0 || own * side > 0) return false;
   if (first.side == second.side) return true;
   return own != 0 && opposite(v, p, first.side == 0 ? first.point : second.point);
 }
 
-/// Do the projections of triangles with the corner v in common meet there only? Complete if both projections
-/// have an area: a line that separates the two angles at v turns until it reaches a side of one of them, and
-/// what it then meets of the other is a side in the opposite direction, if anything.
-bool angles_apart(const Corners& a, const Corners& b, int axis) noexcept {
-  const Vec3& v = a[0];
+/// Do the projections of triangles with corner 0 in common meet there only? Complete if both have an area: a
+/// line that separates the two angles at the corner turns until it reaches a side of one of them, and what it
+/// then meets of the other is a side in the opposite direction, if anything.
+bool angles_apart(const Outline& a, const Outline& b) noexcept {
+  const PlanarPoint& v = a[0];
   std::array<std::array<int, 2>, 2> sides{};
   for (int i = 0; i < 2; ++i) {
-    for (int j = 0; j < 2; ++j) sides[i][j] = planar_orientation(v, a[1 + i], b[1 + j], axis);
+    for (int j = 0; j < 2; ++j) sides[i][j] = planar_orientation(v, a[1 + i], b[1 + j]);
   }
-  const int a_turn = turn(a, axis), b_turn = turn(b, axis);
-  return ray_separates(v, a[1], a_turn, {b[1], sides[0][0]}, {b[2], sides[0][1]}) ||
-         ray_separates(v, a[2], -a_turn, {b[1], sides[1][0]}, {b[2], sides[1][1]}) ||
-         ray_separates(v, b[1], b_turn, {a[1], -sides[0][0]}, {a[2], -sides[1][0]}) ||
+  const int a_turn = turn(a);
+  if (ray_separates(v, a[1], a_turn, {b[1], sides[0][0]}, {b[2], sides[0][1]}) ||
+      ray_separates(v, a[2], -a_turn, {b[1], sides[1][0]}, {b[2], sides[1][1]})) {
+    return true;
+  }
+  const int b_turn = turn(b);
+  return ray_separates(v, b[1], b_turn, {a[1], -sides[0][0]}, {a[2], -sides[1][0]}) ||
          ray_separates(v, b[2], -b_turn, {a[1], -sides[0][1]}, {a[2], -sides[1][1]});
 }
 
@@ -158,7 +172,7 @@ bool angles_apart(const Corners& a, const Corners& b, int axis) noexcept {
 /// the nearer of these two points is on both triangles. So they meet in more than the corner only if the
 /// opposite edge of one meets the other.
 bool meet_beside_corner(const Corners& a, const Corners& b, int axis) noexcept {
-  if (angles_apart(a, b, axis)) return false;
+  if (angles_apart(seen_along(axis, a), seen_along(axis, b))) return false;
   const int b1 = orientation(a[0], a[1], a[2], b[1]);
   const int b2 = orientation(a[0], a[1], a[2], b[2]);
   if (b1 == 0 && b2 == 0) return true;
@@ -171,7 +185,7 @@ bool meet_beside_corner(const Corners& a, const Corners& b, int axis) noexcept {
 /// Corners 0 and 1 in common. Different planes meet in the line of that edge alone. Apexes that are on
 /// different sides of it in one projection are so in their plane.
 bool meet_beside_edge(const Corners& a, const Corners& b, int axis) noexcept {
-  return turn(a, axis) == turn(b, axis) && orientation(a[0], a[1], a[2], b[2]) == 0;
+  return turn(seen_along(axis, a)) == turn(seen_along(axis, b)) && orientation(a[0], a[1], a[2], b[2]) == 0;
 }
 
 /// Puts the common vertices first, in one order. How many there are.
@@ -191,17 +205,22 @@ int common_first(ContactTriangle& a, ContactTriangle& b) noexcept {
   return common;
 }
 
-bool meet(ContactTriangle a, ContactTriangle b, int axis) noexcept {
-  switch (common_first(a, b)) {
-    case 0:
-      return meet_apart(a.corners, b.corners, axis);
-    case 1:
-      return meet_beside_corner(a.corners, b.corners, axis);
-    case 2:
-      return meet_beside_edge(a.corners, b.corners, axis);
-    default:
-      return false;
-  }
+bool have_common_vertex(const ContactTriangle& a, const ContactTriangle& b) noexcept {
+  const auto is_of_b = [&](std::uint32_t v) {
+    return v == b.vertices[0] || v == b.vertices[1] || v == b.vertices[2];
+  };
+  return is_of_b(a.vertices[0]) || is_of_b(a.vertices[1]) || is_of_b(a.vertices[2]);
+}
+
+bool meet_beside_common(ContactTriangle a, ContactTriangle b, int axis) noexcept {
+  const int common = common_first(a, b);
+  if (common == 1) return meet_beside_corner(a.corners, b.corners, axis);
+  return common == 2 && meet_beside_edge(a.corners, b.corners, axis);
+}
+
+bool meet(const ContactTriangle& a, const ContactTriangle& b, int axis) noexcept {
+  if (have_common_vertex(a, b)) return meet_beside_common(a, b, axis);
+  return meet_apart(a.corners, b.corners, axis);
 }
 
 }  // namespace
@@ -209,7 +228,7 @@ bool meet(ContactTriangle a, ContactTriangle b, int axis) noexcept {
 ContactProbe::ContactProbe(const ContactTriangle& triangle) noexcept
     : triangle_(triangle),
       axis_(projection_axis(triangle.corners)),
-      has_area_(turn(triangle.corners, axis_) != 0) {}
+      has_area_(turn(seen_along(axis_, triangle.corners)) != 0) {}
 
 bool ContactProbe::meets(const ContactTriangle& other) const noexcept {
   // Whether the other has an area is asked last: contacts are rare.

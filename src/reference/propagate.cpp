@@ -12,7 +12,7 @@
 /// those closest to an *outer* point of a surface voxel whose segment leads through voxels that were dropped.
 #include <algorithm>
 #include <atomic>
-#include <string>
+#include <iterator>
 #include <utility>
 
 #include "core/parallel.h"
@@ -41,10 +41,7 @@ class Propagation {
     const auto longest = static_cast<double>(*std::ranges::max_element(data_.grid.counts));
     progress_.phase(0.1, 1, longest);
     for (; !frontier.empty(); ++data_.rounds) {
-      if (tuples_ > most_uniform_tuples) {
-        return Error{Code::out_of_range, tuples_,
-                     "more than " + std::to_string(most_uniform_tuples) + " tuples: take a lower resolution"};
-      }
+      if (Result<void> fits = expect_few_enough(tuples_); !fits) return fits;
       frontier = advance(frontier);
       if (progress_.cancelled()) return Progress::error();
       if (static_cast<double>(data_.rounds) < longest) progress_.step();

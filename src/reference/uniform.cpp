@@ -54,11 +54,9 @@ Result<UniformData> build_data(MeshView mesh, const UniformOptions& options, Pro
   data.options = options;
   data.grid = *grid;
   data.surface = reference_surface(mesh);
-  voxelise(data, progress);
-  if (progress.cancelled()) return Progress::error();
+  if (const Result<void> done = voxelise(data, progress); !done) return done.error();
   flood_outside(data);
-  const Result<void> spread = propagate(data, progress);
-  if (!spread) return spread.error();
+  if (const Result<void> done = propagate(data, progress); !done) return done.error();
   return data;
 }
 

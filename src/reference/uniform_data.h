@@ -43,9 +43,12 @@ ReferenceSurface reference_surface(MeshView mesh);
 /// The tuple of a triangle at a voxel's centre, by the library's kernel.
 CddTuple cdd_tuple(const ReferenceSurface& surface, const Vec3& centre, std::uint32_t triangle) noexcept;
 
+/// Error: out_of_range beyond most_uniform_tuples.
+Result<void> expect_few_enough(std::uint64_t tuples);
+
 /// Section 3.3: lists with each voxel the triangles that touch it, and calls it surface; all others are
 /// inside.
-void voxelise(UniformData& data, Progress& progress);
+Result<void> voxelise(UniformData& data, Progress& progress);
 
 /// Section 3.4: what an untouched voxel of the outermost layer reaches without passing a surface voxel is
 /// outside.

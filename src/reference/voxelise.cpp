@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <string>
+#include <utility>
 
 #include "geometry/point_triangle.h"
 #include "geometry/triangle_box.h"
@@ -46,35 +48,45 @@ ReferenceSurface reference_surface(MeshView mesh) {
   return surface;
 }
 
+Result<void> expect_few_enough(std::uint64_t tuples) {
+  if (tuples <= most_uniform_tuples) return {};
+  return Error{Code::out_of_range, tuples,
+               "more than " + std::to_string(most_uniform_tuples) + " tuples: take a lower resolution"};
+}
+
 CddTuple cdd_tuple(const ReferenceSurface& surface, const Vec3& centre, std::uint32_t triangle) noexcept {
   return {square_root(measure(centre, surface.triangles.shape(triangle)).squared), triangle};
 }
 
-void voxelise(UniformData& data, Progress& progress) {
+Result<void> voxelise(UniformData& data, Progress& progress) {
   const VoxelGrid& grid = data.grid;
   data.sides.assign(grid.cell_count(), Side::inside);
   data.lists.resize(grid.cell_count());
+  std::uint64_t tuples = 0;
   progress.phase(0, 0.1, data.surface.triangles.size());
   for (std::uint32_t t = 0; t < data.surface.triangles.size(); ++t) {
     const std::array<Vec3, 3> corners = data.surface.triangles.shape(t).vertices;
     const auto [x, y, z] = range_of(grid, corners);
     VoxelGrid::Place p{};
     for (p[2] = z[0]; p[2] <= z[1]; ++p[2]) {
-      if (!progress.poll()) return;
+      if (!progress.poll()) return Progress::error();
       for (p[1] = y[0]; p[1] <= y[1]; ++p[1]) {
         for (p[0] = x[0]; p[0] <= x[1]; ++p[0]) {
           if (!may_touch(corners, grown(grid.box(p), grid.slack))) continue;
           const std::size_t cell = grid.number(p);
           data.sides[cell] = Side::surface;
           data.lists[cell].push_back(cdd_tuple(data.surface, grid.centre(p), t));
+          ++tuples;
         }
       }
     }
+    if (Result<void> fits = expect_few_enough(tuples); !fits) return fits;
     progress.step();
   }
   for (auto& list : data.lists) {
     std::ranges::sort(list, {}, [](const CddTuple& a) { return std::pair(a.distance, a.triangle); });
   }
+  return {};
 }
 
 }  // namespace cdfr

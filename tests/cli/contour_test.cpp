@@ -61,9 +61,9 @@ TEST_F(ContourCliTest, NoPointIsAnAnswer) {
 
 TEST_F(ContourCliTest, DepthOfAnUnsignedFieldIsRefusedByName) {
   put("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  ASSERT_EQ(run({"build", path("open.obj"), "-o", path("open.cdfr")}).status, 0);
+  ASSERT_EQ(run({"build", path("open.obj"), "--sign", "none", "-o", path("open.cdfr")}).status, 0);
   for (const std::vector<std::string>& input :
-       {std::vector<std::string>{path("open.obj")}, {path("open.cdfr")}, {cube_, "--sign", "none"}}) {
+       {std::vector<std::string>{path("open.obj"), "--sign", "none"}, {path("open.cdfr")}, {cube_, "--sign", "none"}}) {
     std::vector<std::string> arguments{"contour"};
     arguments.insert(arguments.end(), input.begin(), input.end());
     arguments.insert(arguments.end(), {"--depth", "0.1", "-o", path("c.csv")});

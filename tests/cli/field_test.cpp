@@ -31,13 +31,15 @@ TEST_F(FieldTest, AuditNamesTheSignAndWarns) {
   put("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const auto open = run({"audit", path("open.obj"), "--json"}).json();
   EXPECT_EQ(open["closed"], false);
-  EXPECT_EQ(open["sign"], "none");
+  EXPECT_EQ(open["sign"], "winding");
+  EXPECT_EQ(open["sign_text"], "3 open edges");
   EXPECT_EQ(open["open_edges"], 3);
   put("inward.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n");
   const auto inward = run({"audit", path("inward.obj"), "--json"}).json();
   EXPECT_EQ(inward["closed"], true);
   EXPECT_LT(inward["volume"], 0);
-  EXPECT_EQ(inward["warnings"].size(), 1U);
+  EXPECT_EQ(inward["turned_shells"], 1);
+  EXPECT_EQ(inward["warnings"].size(), 2U);
   EXPECT_NE(run({"audit", path("inward.obj")}).output.find("inward"), std::string::npos);
 }
 

@@ -26,7 +26,7 @@ TEST_F(HostileTest, EachDirtyModelIsReadOrRefusedInOneLine) {
   for (const auto& model : models) {
     for (const std::string verb : {"audit", "info"}) {
       SCOPED_TRACE(verb + " " + model.filename().string());
-      const Outcome outcome = run({verb, model.string(), "--json"});
+      const Outcome outcome = run({verb, model.string(), "--json", "--quiet"});
       if (outcome.status == 0) {
         EXPECT_EQ(outcome.errors, "");
         EXPECT_GT(outcome.json()["triangles"], 0);

@@ -25,7 +25,7 @@ TEST_F(UsageTest, WrongUsageIsStatusTwoAndOneLine) {
       {"info", cube, "--margin", "nan"},
       {"info", cube, "--gain", "0"},
       {"info", cube, "--lists", "edge"},
-      {"info", cube, "--sign", "winding"},
+      {"info", cube, "--sign", "parity"},
       {"info", cube, "--threads", "-2"},
       {"info", cube, "--unit", "m\x1b[31mm"},
       {"build", cube},

@@ -43,11 +43,12 @@ TEST(ContourOptions, SmallestToleranceIsTaken) {
   EXPECT_TRUE(contour_points(cube, -0.75, {0x1p-40}));
 }
 
-TEST(ContourOptions, AnOpenMeshHasAnOutsideOnly) {
+TEST(ContourOptions, AnUnsignedFieldHasAnOutsideOnly) {
   Mesh mesh = test::box_mesh(unit_box);
   mesh.triangles.resize(10);
-  const Case open(std::move(mesh));
-  ASSERT_EQ(open.field.sign(), Sign::none);
+  BuildOptions options;
+  options.sign = Sign::none;
+  const Case open(std::move(mesh), options);
   EXPECT_EQ(refused(open.field, -0.1, 0.1), Code::not_closed);
   EXPECT_EQ(refused(open.field, -1e-300, 0.1), Code::not_closed);
   for (const double distance : {0.0, 0.1, 0.3}) {

@@ -157,7 +157,7 @@ TEST(Query, OneTriangleAndAllTrianglesInOnePoint) {
   one.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   one.triangles = {{0, 1, 2}};
   const Field single = Field::build(one.view()).value();
-  EXPECT_EQ(single.sign(), Sign::none);
+  EXPECT_EQ(single.sign(), Sign::winding);
   EXPECT_EQ(single.distance({0.25, 0.25, -2}), 2);
   Mesh heap;
   heap.vertices = {{3, 4, 0}};

@@ -260,7 +260,8 @@ TEST(PlanarOrientation, AgreesWithRationals) {
                                                test::minus(test::exact(p[2]), test::exact(p[0])));
     for (Vec3& v : p) v = scaled(v, factor);
     for (int axis = 0; axis < 3; ++axis) {
-      ASSERT_EQ(planar_orientation(p[0], p[1], p[2], axis), sgn(normal[static_cast<std::size_t>(axis)]));
+      const PlanarPoint a = seen_along(axis, p[0]), b = seen_along(axis, p[1]), c = seen_along(axis, p[2]);
+      ASSERT_EQ(planar_orientation(a, b, c), sgn(normal[static_cast<std::size_t>(axis)]));
     }
     flat += sgn(normal[0]) == 0;
   }

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "oracle/candidates.h"
-#include "oracle/contact.h"
 #include "oracle/random.h"
 
 namespace cdfr::oracle {
@@ -131,37 +129,6 @@ TEST(ExactSide, is_not_disturbed_by_triangles_of_no_area) {
   EXPECT_EQ(exact_side(mesh.view(), {0, -0.5, 0.5}), -1);
   EXPECT_EQ(exact_side(mesh.view(), {0, -1.5, 1}), 1);
   EXPECT_EQ(exact_side(mesh.view(), {0.25, -1, 1}), 0);
-}
-
-bool contact_at(const Mesh& mesh, Vec3 p) {
-  return touches_itself(mesh.view(), p, Candidates(mesh.view()).near(p));
-}
-
-TEST(Contact, is_seen_between_bodies_that_touch_and_not_within_one) {
-  const Mesh one = box({-1, -1, -1}, {1, 1, 1});
-  for (const Vec3 p :
-       {Vec3{0, 0, 0}, Vec3{2, 0.5, 0.25}, Vec3{2, 2, 0.5}, Vec3{3, 3, 3}, Vec3{0, 0, 1}, Vec3{1, 1, 1}}) {
-    EXPECT_FALSE(contact_at(one, p)) << p.x << ' ' << p.y << ' ' << p.z;
-  }
-  Mesh two = one;
-  append(two, box({1, -0.5, -0.5}, {2, 0.5, 0.5}));
-  EXPECT_TRUE(contact_at(two, {0.875, 0.25, 0.125}));
-  EXPECT_TRUE(contact_at(two, {1, 0, 0}));
-  EXPECT_FALSE(contact_at(two, {-3, 0.25, 0.125}));
-  Mesh same = one;
-  append(same, box({1, -1, -1}, {2, 1, 1}));
-  EXPECT_TRUE(contact_at(same, {0.875, 0.25, 0.125}));
-}
-
-TEST(Contact, needs_more_than_a_common_edge_or_corner) {
-  Mesh overlapping;
-  overlapping.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, -1, 0}};
-  overlapping.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
-  EXPECT_TRUE(contact_at(overlapping, {0.5, 0.25, 1}));
-  EXPECT_FALSE(contact_at(overlapping, {0.5, -0.25, 1}));
-  EXPECT_FALSE(contact_at(overlapping, {0.125, 0.5, 1}));
-  EXPECT_FALSE(contact_at(overlapping, {0.5, 0, 1}));
-  EXPECT_FALSE(contact_at(overlapping, {-1, 0, 1}));
 }
 
 /// A star-shaped body around the origin, as a fan of thin triangles from two poles: p is inside iff it is

@@ -3,6 +3,7 @@
 #include <map>
 #include <vector>
 
+#include "soak/changes.h"
 #include "soak/families.h"
 
 namespace cdfr::soak {
@@ -34,9 +35,9 @@ class Blocks {
   void make_manifold() {
     for (bool changed = true; changed;) {
       changed = false;
-      for (std::size_t x = 0; x + 1 < size(0) + 1; ++x)
-        for (std::size_t y = 0; y + 1 < size(1) + 1; ++y)
-          for (std::size_t z = 0; z + 1 < size(2) + 1; ++z) changed |= mend(x, y, z);
+      for (std::size_t x = 0; x < size(0); ++x)
+        for (std::size_t y = 0; y < size(1); ++y)
+          for (std::size_t z = 0; z < size(2); ++z) changed |= mend(x, y, z);
     }
   }
 
@@ -155,7 +156,8 @@ Shape make_blocks(std::uint64_t round, test::Random& random) {
 /// Walls of 1e-6 to 1e-12, or pins where they cross, on a plate.
 Shape make_fins(std::uint64_t round, test::Random& random) {
   const std::uint64_t n = strided(round, 6, 12), pairs = 1 + random.below(4);
-  Blocks blocks({paired_planes(pairs, tenth(n), random), paired_planes(pairs, tenth(n), random), {0, 0.25, 1}});
+  Blocks blocks(
+      {paired_planes(pairs, tenth(n), random), paired_planes(pairs, tenth(n), random), {0, 0.25, 1}});
   blocks.fill_where([&](std::size_t x, std::size_t y, std::size_t z) {
     const bool wall = round % 3 == 0 ? x % 2 == 1 : (round % 3 == 1 ? x % 2 + y % 2 > 0 : x % 2 + y % 2 == 2);
     return z == 0 || wall;
@@ -166,7 +168,8 @@ Shape make_fins(std::uint64_t round, test::Random& random) {
 /// Gaps of 1e-6 to 1e-12: slots in a body, or the space between bodies.
 Shape make_slots(std::uint64_t round, test::Random& random) {
   const std::uint64_t n = strided(round, 6, 12), pairs = 1 + random.below(4);
-  Blocks blocks({paired_planes(pairs, tenth(n), random), paired_planes(pairs, tenth(n), random), {0, 0.25, 1}});
+  Blocks blocks(
+      {paired_planes(pairs, tenth(n), random), paired_planes(pairs, tenth(n), random), {0, 0.25, 1}});
   blocks.fill_where([&](std::size_t x, std::size_t y, std::size_t z) {
     const bool gap = x % 2 == 1 || (round % 3 != 0 && y % 2 == 1);
     return (z == 0 && round % 2 == 0) || !gap;
@@ -174,12 +177,14 @@ Shape make_slots(std::uint64_t round, test::Random& random) {
   return {text_of(round % 2 == 0 ? "slots of " : "bodies apart by ", n), blocks.surface(random)};
 }
 
-/// 1 x 1 x 1e-6 and thinner, its faces cut into coplanar pieces.
+/// 1 x 1 x 1e-6, then 1e-7 to 1e-16 and on to 1e-40, its faces cut into coplanar pieces.
 Shape make_plate(std::uint64_t round, test::Random& random) {
-  const std::uint64_t n = strided(round, 6, 16), count = 1 + random.below(12);
-  Blocks blocks({random_planes(count, random), random_planes(count, random), {0, tenth(round == 0 ? 6 : n)}});
+  const std::uint64_t n = round == 0 ? 6 : (round % 2 == 0 ? strided(round, 7, 16) : strided(round, 17, 40));
+  const std::uint64_t count = 1 + random.below(12);
+  Blocks blocks({random_planes(count, random), random_planes(count, random), {0, tenth(n)}});
   blocks.fill_where([](std::size_t, std::size_t, std::size_t) { return true; });
-  return {text_of("thickness ", round == 0 ? 6 : n), blocks.surface(random)};
+  Shape shape{text_of("thickness ", n), blocks.surface(random)};
+  return round == 0 || random.below(2) == 0 ? shape : accompanied(std::move(shape), random);
 }
 
 }  // namespace cdfr::soak

@@ -14,7 +14,8 @@ const std::string model_prefix = "model/", changed_prefix = "changed-model/";
 std::string made_name(std::uint64_t place) {
   const std::uint64_t kinds = families().size() + 1;
   const std::uint64_t kind = place % kinds, round = place / kinds;
-  const std::string prefix = kind == families().size() ? changed_prefix : families()[kind].name + std::string("/");
+  const std::string prefix =
+      kind == families().size() ? changed_prefix : families()[kind].name + std::string("/");
   return prefix + std::to_string(round);
 }
 
@@ -75,7 +76,8 @@ std::optional<Candidate> Catalogue::make(const std::string& name, std::string& w
     if (why.empty()) why = "no such mesh";
     return std::nullopt;
   }
-  return Candidate{name, shape->text, welded(shape->mesh)};
+  Mesh clean = welded(shape->mesh);
+  return Candidate{name, shape->text, std::move(shape->mesh), std::move(clean)};
 }
 
 }  // namespace cdfr::soak

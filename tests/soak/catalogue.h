@@ -14,7 +14,8 @@ namespace cdfr::soak {
 struct Candidate {
   std::string name;  ///< "wedge/3", "model/part_cube": with the seed it makes the same mesh again
   std::string text;  ///< what it is
-  Mesh mesh;         ///< as welded() leaves it
+  Mesh mesh;         ///< what the field is built of
+  Mesh clean;        ///< as welded() leaves it, for all else
 };
 
 class Catalogue {

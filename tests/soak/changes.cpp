@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "soak/welded.h"
+#include "support/meshes.h"
 
 namespace cdfr::soak {
 namespace {
@@ -45,10 +46,9 @@ void scale(Shape& shape, test::Random& random) {
 void rotate(Shape& shape, test::Random& random) {
   const double a = random.between(-1, 1), b = random.between(-1, 1), c = random.between(-1, 1);
   const double d = random.between(-1, 1), s = 2 / (a * a + b * b + c * c + d * d);
-  const std::array<Vec3, 3> rows{
-      {{1 - s * (c * c + d * d), s * (b * c - a * d), s * (b * d + a * c)},
-       {s * (b * c + a * d), 1 - s * (b * b + d * d), s * (c * d - a * b)},
-       {s * (b * d - a * c), s * (c * d + a * b), 1 - s * (b * b + c * c)}}};
+  const std::array<Vec3, 3> rows{{{1 - s * (c * c + d * d), s * (b * c - a * d), s * (b * d + a * c)},
+                                  {s * (b * c + a * d), 1 - s * (b * b + d * d), s * (c * d - a * b)},
+                                  {s * (b * d - a * c), s * (c * d + a * b), 1 - s * (b * b + c * c)}}};
   const auto dot = [](const Vec3& u, const Vec3& v) { return u.x * v.x + u.y * v.y + u.z * v.z; };
   for (Vec3& v : shape.mesh.vertices) v = {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
   shape.text += ", rotated";
@@ -97,6 +97,15 @@ void cap(Shape& shape, test::Random& random) {
   shape.text += ", " + std::to_string(count) + " caps of height " + (n == 0 ? "0" : tenth_text(n));
 }
 
+/// A cube apart from the mesh, so that much of the space around the mesh is inside the box of them both.
+void accompany(Shape& shape, test::Random&) {
+  const Box box = box_of(shape.mesh);
+  const double size = size_of(shape.mesh);
+  const Vec3 lo{box.hi.x + size, box.lo.y - size, box.lo.z - size};
+  add_mesh(shape.mesh, test::box_mesh({lo, {lo.x + size, lo.y + 3 * size, lo.z + 3 * size}}), false);
+  shape.text += ", beside a cube";
+}
+
 }  // namespace
 
 Mesh capped(Mesh mesh, std::uint64_t count, double height, test::Random& random) {
@@ -120,8 +129,13 @@ Mesh capped(Mesh mesh, std::uint64_t count, double height, test::Random& random)
   return mesh;
 }
 
+Shape accompanied(Shape shape, test::Random& random) {
+  accompany(shape, random);
+  return shape;
+}
+
 Shape changed(Shape shape, std::uint64_t kind, test::Random& random) {
-  static constexpr std::array changes{move, scale, rotate, jitter, stretch, cap};
+  static constexpr std::array changes{move, scale, rotate, jitter, stretch, cap, accompany};
   changes[kind % changes.size()](shape, random);
   return shape;
 }
@@ -132,7 +146,8 @@ Mesh outward(Mesh mesh) {
   for (const Triangle& t : mesh.triangles) {
     const auto from_first = [&](std::size_t k) {
       const Vec3& v = mesh.vertices[t[k]];
-      return std::array<long double, 3>{static_cast<long double>(v.x) - o.x, static_cast<long double>(v.y) - o.y,
+      return std::array<long double, 3>{static_cast<long double>(v.x) - o.x,
+                                        static_cast<long double>(v.y) - o.y,
                                         static_cast<long double>(v.z) - o.z};
     };
     const auto a = from_first(0), b = from_first(1), c = from_first(2);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -30,58 +29,65 @@ std::optional<Surface> surface_of(const Mesh& mesh) {
   return surface;
 }
 
-std::vector<std::uint32_t> one_triangle_a_body(const Mesh& mesh, const DirectedEdges& edges) {
+using Body = std::vector<std::uint32_t>;
+
+/// Triangles that are connected through edges.
+std::vector<Body> bodies_of(const Mesh& mesh, const DirectedEdges& edges) {
   std::vector<bool> seen(mesh.triangles.size(), false);
-  std::vector<std::uint32_t> firsts, open;
+  std::vector<Body> bodies;
   for (std::uint32_t start = 0; start < seen.size(); ++start) {
     if (seen[start]) continue;
-    firsts.push_back(start);
+    Body body{start};
     seen[start] = true;
-    open.push_back(start);
-    while (!open.empty()) {
-      const Triangle t = mesh.triangles[open.back()];
-      open.pop_back();
+    for (std::size_t i = 0; i < body.size(); ++i) {
+      const Triangle t = mesh.triangles[body[i]];
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t other = edges.at({t[(k + 1) % 3], t[k]});
-        if (seen[other]) continue;
+        const std::uint32_t other = edges.at(t[(k + 1) % 3], t[k]);
+        if (!seen[other]) body.push_back(other);
         seen[other] = true;
-        open.push_back(other);
       }
     }
+    bodies.push_back(std::move(body));
   }
-  return firsts;
+  return bodies;
 }
 
-/// The winding numbers at points on both sides of a triangle and close to it.
-bool winds_as_a_solid(const Mesh& mesh, const Triangle& t, const SideOracle& oracle) {
+/// The winding number in front of some triangle of the body: that of the space around it, or of its cavity.
+/// None if no place was found where a vertical line meets a triangle and nothing else at the same height.
+std::optional<int> winding_in_front(const Mesh& mesh, const Body& body, const SideOracle& oracle) {
   test::Random random(1);
-  const Vec3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
-  const double size = std::max({std::fabs(b.x - a.x), std::fabs(b.y - a.y), std::fabs(b.z - a.z),
-                                std::fabs(c.x - a.x), std::fabs(c.y - a.y), std::fabs(c.z - a.z)});
-  for (int i = 0; i < 200; ++i) {
-    const double u = random.between(0, 0.5), v = random.between(0, 0.5);
-    const double off = std::ldexp(size, -static_cast<int>(random.below(52)));
-    const auto near = [&](double x, double y, double z) {
-      return x + u * (y - x) + v * (z - x) + off * random.between(-1, 1);
-    };
-    const int winding = oracle.winding({near(a.x, b.x, c.x), near(a.y, b.y, c.y), near(a.z, b.z, c.z)}).value_or(0);
-    if (winding != 0 && winding != 1) return false;
+  for (int i = 0; i < 2000; ++i) {
+    const Triangle& t = mesh.triangles[body[random.below(body.size())]];
+    const Vec3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
+    const double u = random.between(0, 0.6), v = random.between(0, 0.6);
+    const auto winding = oracle.winding_in_front({a, b, c}, a.x + u * (b.x - a.x) + v * (c.x - a.x),
+                                                 a.y + u * (b.y - a.y) + v * (c.y - a.y));
+    if (winding) return winding;
   }
-  return true;
+  return std::nullopt;
+}
+
+bool supported(const Vec3& v) {
+  const auto fits = [](double x) { return x == 0 || (std::fabs(x) >= 0x1p-200 && std::fabs(x) <= 0x1p200); };
+  return fits(v.x) && fits(v.y) && fits(v.z);
 }
 
 }  // namespace
 
 std::string why_unfit(const Mesh& mesh, const SideOracle& oracle) {
+  if (mesh.triangles.empty()) return "no triangles";
+  if (!std::ranges::all_of(mesh.vertices, supported)) return "coordinates beyond 2^-200 to 2^200";
   const std::optional<DirectedEdges> edges = closed_edges(mesh.triangles);
   if (!edges) return "not closed, or an edge is used more than once each way";
-  const std::optional<Mesh> proper = without_flat_triangles(mesh);
+  const std::optional<Mesh> proper = without_flat_triangles(mesh, *edges);
   if (!proper) return "triangles of no area that cannot be flipped away";
   const std::optional<Surface> surface = surface_of(*proper);
   if (!surface) return "a vertex or an edge where bodies touch";
   if (CGAL::Polygon_mesh_processing::does_self_intersect(*surface)) return "touches or crosses itself";
-  for (const std::uint32_t first : one_triangle_a_body(mesh, *edges)) {
-    if (!winds_as_a_solid(mesh, mesh.triangles[first], oracle)) return "inside out, or bodies within bodies";
+  for (const Body& body : bodies_of(mesh, *edges)) {
+    const std::optional<int> winding = winding_in_front(mesh, body, oracle);
+    if (!winding) return "a body that is seen edge-on only";
+    if (*winding != 0) return "inside out, or bodies within bodies";
   }
   return "";
 }

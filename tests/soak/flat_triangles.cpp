@@ -14,8 +14,8 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 class Flipper {
  public:
-  explicit Flipper(const Mesh& mesh)
-      : mesh_(mesh), edges_(closed_edges(mesh.triangles).value()), gone_(mesh.triangles.size(), false) {}
+  Flipper(const Mesh& mesh, const DirectedEdges& edges)
+      : mesh_(mesh), edges_(edges), gone_(mesh.triangles.size(), false) {}
 
   /// Flips a flat triangle whose neighbour is proper, or has the same longest edge and so shrinks too. True
   /// if there was none that could not be.
@@ -75,7 +75,7 @@ class Flipper {
   std::uint32_t across_longest(std::uint32_t t) const {
     const std::size_t k = middle(t);
     const Triangle& v = mesh_.triangles[t];
-    return edges_.at({v[(k + 2) % 3], v[(k + 1) % 3]});
+    return edges_.at(v[(k + 2) % 3], v[(k + 1) % 3]);
   }
   bool may_flip(std::uint32_t t) const {
     const std::uint32_t other = across_longest(t);
@@ -84,14 +84,14 @@ class Flipper {
 
   void remove(std::uint32_t t) {
     const Triangle& v = mesh_.triangles[t];
-    for (std::size_t k = 0; k < 3; ++k) edges_.erase({v[k], v[(k + 1) % 3]});
+    for (std::size_t k = 0; k < 3; ++k) edges_.remove(v[k], v[(k + 1) % 3]);
     gone_[t] = true;
   }
   bool put(std::uint32_t t, const Triangle& v) {
     mesh_.triangles[t] = v;
     gone_[t] = false;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!edges_.try_emplace({v[k], v[(k + 1) % 3]}, t).second) return false;
+      if (!edges_.add(v[k], v[(k + 1) % 3], t)) return false;
     }
     return true;
   }
@@ -115,8 +115,8 @@ class Flipper {
 
 }  // namespace
 
-std::optional<Mesh> without_flat_triangles(const Mesh& mesh) {
-  Flipper flipper(mesh);
+std::optional<Mesh> without_flat_triangles(const Mesh& mesh, const DirectedEdges& edges) {
+  Flipper flipper(mesh, edges);
   if (!flipper.flip_all()) return std::nullopt;
   return flipper.result();
 }

@@ -15,10 +15,11 @@ struct Options {
   std::uint64_t seed = 1;
   unsigned threads = 0;
   std::uint64_t second_opinion = 16;
-  std::string only;          ///< part of the names of the meshes to take
-  std::string replay;        ///< name of a mesh; empty: the soak
-  std::optional<Vec3> point; ///< of the replay
-  std::string write;         ///< file for the replay's mesh
+  bool lenient = false;       ///< wrong within 4 ulp is not wrong
+  std::string only;           ///< part of the names of the meshes to take
+  std::string replay;         ///< name of a mesh; empty: the soak
+  std::optional<Vec3> point;  ///< of the replay
+  std::string write;          ///< file for the replay's mesh
 };
 
 /// The options, or the status to exit with.

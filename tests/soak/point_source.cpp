@@ -24,15 +24,20 @@ Vec3 unit(Vec3 v) {
 Vec3 direction(test::Random& random) { return unit(random.in({{-1, -1, -1}, {1, 1, 1}})); }
 
 double moved_by_ulps(double x, std::int64_t count) {
-  const double to = count < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+  const double to =
+      count < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
   for (std::int64_t i = 0; i < std::abs(count); ++i) x = std::nextafter(x, to);
   return x;
 }
 
-/// Each coordinate by -2 to 2 ulps.
-Vec3 shaken(const Vec3& p, test::Random& random) {
-  const auto some = [&] { return static_cast<std::int64_t>(random.below(5)) - 2; };
-  return {moved_by_ulps(p.x, some()), moved_by_ulps(p.y, some()), moved_by_ulps(p.z, some())};
+/// Each coordinate by -2 to 2 ulps, its own or those at `size`: at 0 its own are of no size at all.
+Vec3 shaken(const Vec3& p, double size, test::Random& random) {
+  const double unit = random.below(2) == 0 ? 0 : std::nextafter(size, HUGE_VAL) - size;
+  const auto some = [&](double x) {
+    const std::int64_t count = static_cast<std::int64_t>(random.below(5)) - 2;
+    return unit == 0 ? moved_by_ulps(x, count) : x + unit * static_cast<double>(count);
+  };
+  return {some(p.x), some(p.y), some(p.z)};
 }
 
 Vec3 middle(const Vec3& a, const Vec3& b) {
@@ -46,7 +51,7 @@ PointSource::PointSource(const Mesh& mesh, const Field& field)
   size_ = std::max({box_.hi.x - box_.lo.x, box_.hi.y - box_.lo.y, box_.hi.z - box_.lo.z});
   const DirectedEdges edges = closed_edges(mesh.triangles).value();
   for (const Triangle& t : mesh.triangles) {
-    neighbours_.push_back({edges.at({t[1], t[0]}), edges.at({t[2], t[1]}), edges.at({t[0], t[2]})});
+    neighbours_.push_back({edges.at(t[1], t[0]), edges.at(t[2], t[1]), edges.at(t[0], t[2])});
     for (const std::uint32_t v : t) ++first_around_[v + 1];
   }
   for (std::size_t v = 1; v < first_around_.size(); ++v) first_around_[v] += first_around_[v - 1];
@@ -78,7 +83,9 @@ PointSource::Site PointSource::on_edge(std::uint32_t triangle, test::Random& ran
   const std::size_t k = random.below(3);
   const Vec3 a = mesh_.vertices[t[k]], b = mesh_.vertices[t[(k + 1) % 3]];
   const Vec3 n = normal(triangle), m = normal(neighbours_[triangle][k]);
-  const double w = random.below(4) == 0 ? 0.5 : random.between(0, 1);
+  // Straight up from a face at its edge is where the cell of the edge ends and that of the face begins.
+  const std::array weights{0.0, 0.5, 1.0, random.between(0, 1), random.between(0, 1)};
+  const double w = weights[random.below(weights.size())];
   const Vec3 away = unit({w * n.x + (1 - w) * m.x, w * n.y + (1 - w) * m.y, w * n.z + (1 - w) * m.z});
   if (random.below(4) == 0) return {middle(a, b), away};
   return {plus(a, random.between(0, 1), minus(b, a)), away};
@@ -99,9 +106,12 @@ PointSource::Site PointSource::on_vertex(std::uint32_t triangle, test::Random& r
 PointSource::Site PointSource::anywhere(test::Random& random) const {
   const auto triangle = static_cast<std::uint32_t>(random.below(mesh_.triangles.size()));
   switch (random.below(3)) {
-    case 0: return on_face(triangle, random);
-    case 1: return on_edge(triangle, random);
-    default: return on_vertex(triangle, random);
+    case 0:
+      return on_face(triangle, random);
+    case 1:
+      return on_edge(triangle, random);
+    default:
+      return on_vertex(triangle, random);
   }
 }
 
@@ -129,9 +139,14 @@ Vec3 PointSource::with_borrowed_coordinates(test::Random& random) const {
   Vec3 p = some_vertex(random);
   const Vec3 q = random.below(2) == 0 ? some_vertex(random) : random.in(test::scaled(box_, 1.5));
   switch (random.below(3)) {
-    case 0: p.x = q.x; break;
-    case 1: p.y = q.y; break;
-    default: p.z = q.z;
+    case 0:
+      p.x = q.x;
+      break;
+    case 1:
+      p.y = q.y;
+      break;
+    default:
+      p.z = q.z;
   }
   if (random.below(2) == 0) p.z = some_vertex(random).z;
   return p;
@@ -161,7 +176,7 @@ Vec3 PointSource::far_away(test::Random& random) const {
 Vec3 PointSource::draw(test::Random& random) const {
   const std::uint64_t dice = random.below(100);
   if (dice < 15) return random.in(test::scaled(box_, 1.5));
-  if (dice < 30) return shaken(anywhere(random).at, random);
+  if (dice < 30) return shaken(anywhere(random).at, size_, random);
   if (dice < 33) return anywhere(random).at;
   if (dice < 48) return plus(anywhere(random).at, distance(random), direction(random));
   if (dice < 75) {
@@ -172,9 +187,9 @@ Vec3 PointSource::draw(test::Random& random) const {
   if (dice < 90) return with_borrowed_coordinates(random);
   if (dice < 97) {
     const Vec3 p = on_medial_axis(random);
-    return random.below(2) == 0 ? p : shaken(p, random);
+    return random.below(2) == 0 ? p : shaken(p, size_, random);
   }
-  return dice < 99 ? shaken(with_borrowed_coordinates(random), random) : far_away(random);
+  return dice < 99 ? shaken(with_borrowed_coordinates(random), size_, random) : far_away(random);
 }
 
 }  // namespace cdfr::soak

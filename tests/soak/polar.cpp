@@ -89,8 +89,9 @@ Shape make_gear(std::uint64_t round, test::Random& random) {
   const std::uint64_t n = strided(round, 2, 14);
   const std::uint64_t teeth = 3 + random.below(30);
   const double height = round % 3 == 0 ? 1 : tenth(strided(round, 1, 9));
-  return {std::to_string(teeth) + " slits and spikes of " + tenth_text(n),
-          extruded(slit_polygon(teeth, std::min(tenth(n), 0.1 / static_cast<double>(teeth)), random), height)};
+  return {
+      std::to_string(teeth) + " slits and spikes of " + tenth_text(n),
+      extruded(slit_polygon(teeth, std::min(tenth(n), 0.1 / static_cast<double>(teeth)), random), height)};
 }
 
 }  // namespace cdfr::soak

@@ -26,6 +26,7 @@ class Report {
 
  private:
   using Clock = std::chrono::steady_clock;
+  void finding_line(const std::string& name, const Finding& finding) const;
   void replay_line(const std::string& name, const Vec3& p, const std::string& what) const;
 
   const Options& options_;

@@ -67,9 +67,7 @@ Shape make_torus(std::uint64_t round, test::Random& random) {
       add_vertex(mesh, {r * around.x, r * around.y, tube * across.y});
     }
   }
-  const auto at = [&](std::uint32_t ring, std::uint32_t side) {
-    return ring % rings * sides + side % sides;
-  };
+  const auto at = [&](std::uint32_t ring, std::uint32_t side) { return ring % rings * sides + side % sides; };
   for (std::uint32_t ring = 0; ring < rings; ++ring) {
     for (std::uint32_t side = 0; side < sides; ++side)
       add_quad(mesh, at(ring, side), at(ring + 1, side), at(ring + 1, side + 1), at(ring, side + 1));

@@ -1,5 +1,5 @@
-/// A second opinion: CGAL's own Side_of_triangle_mesh, which shares the predicates with SideOracle but neither
-/// tree nor ray.
+/// A second opinion: CGAL's own Side_of_triangle_mesh, which shares the predicates with SideOracle but
+/// neither tree nor ray.
 #pragma once
 
 #include <memory>

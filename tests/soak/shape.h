@@ -54,10 +54,14 @@ inline OnCircle on_circle(double u) noexcept {
   const double t = 4 * u - quadrant, size = 1 + t * t;
   const double x = (1 - t * t) / size, y = 2 * t / size;
   switch (quadrant) {
-    case 0: return {x, y};
-    case 1: return {-y, x};
-    case 2: return {-x, -y};
-    default: return {y, -x};
+    case 0:
+      return {x, y};
+    case 1:
+      return {-y, x};
+    case 2:
+      return {-x, -y};
+    default:
+      return {y, -x};
   }
 }
 

@@ -33,15 +33,17 @@ Vec3 between(const Vec3& a, const Vec3& b, double t) {
 
 }  // namespace
 
-/// Dihedral angles from 1e-1 to 1e-16: along the axes, then in any direction, where the opening is a few ulps
-/// of the coordinates in the sharpest.
+/// Dihedral angles from 1e-1 to 1e-16, and on to 1e-40: along the axes, then in any direction, where the
+/// opening is a few ulps of the coordinates in the sharpest.
 Shape make_wedge(std::uint64_t round, test::Random& random) {
-  const std::uint64_t n = strided(round, 1, 16);
+  const std::uint64_t n = round % 4 == 2 ? strided(round / 4, 17, 40) : strided(round, 1, 16);
   const double angle = tenth(n);
   const std::string text = "angle " + tenth_text(n);
   if (round % 2 == 0) {
-    return {text + " along the axes", prism({Vec3{0, 0, 0}, Vec3{0, 1, 0}}, {Vec3{1, 0, 0}, Vec3{1, 1, 0}},
-                                            {Vec3{1, 0, angle}, Vec3{1, 1, angle}})};
+    Shape shape{text + " along the axes",
+                prism({Vec3{0, 0, 0}, Vec3{0, 1, 0}}, {Vec3{1, 0, 0}, Vec3{1, 1, 0}},
+                      {Vec3{1, 0, angle}, Vec3{1, 1, angle}})};
+    return random.below(2) == 0 ? shape : accompanied(std::move(shape), random);
   }
   const Vec3 a = random.in({{-1, -1, -1}, {1, 1, 1}}), b = random.in({{-1, -1, -1}, {1, 1, 1}});
   const Vec3 c = random.in({{-1, -1, -1}, {1, 1, 1}}), d = between(c, b, random.between(0.2, 0.8));
@@ -84,19 +86,20 @@ Shape make_needle(std::uint64_t round, test::Random& random) {
     if (two_sided) mesh.triangles.push_back({j, i, other});
     if (!two_sided && i > 0 && j > 0) mesh.triangles.push_back({0, j, i});
   }
-  return {std::string(two_sided ? "two-sided " : "") + "width " + tenth_text(n) + ", " + std::to_string(corners) +
-              " corners",
+  return {std::string(two_sided ? "two-sided " : "") + "width " + tenth_text(n) + ", " +
+              std::to_string(corners) + " corners",
           std::move(mesh)};
 }
 
-/// Tetrahedra as flat as 1e-20 of their width, along the axes and in any direction.
+/// Tetrahedra as flat as 1e-50 of their width, along the axes and in any direction.
 Shape make_flat(std::uint64_t round, test::Random& random) {
-  const std::uint64_t n = strided(round, 2, round % 2 == 0 ? 20 : 15);
+  const std::uint64_t n = round % 2 == 0 ? strided(round / 2, 2, 50) : strided(round / 2, 2, 15);
   const double height = tenth(n);
   if (round % 2 == 0) {
-    return {"height " + tenth_text(n),
-            tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0},
-                        {random.between(-0.5, 1), random.between(-0.5, 1), height})};
+    Shape shape{"height " + tenth_text(n),
+                tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                            {random.between(-0.5, 1), random.between(-0.5, 1), height})};
+    return random.below(2) == 0 ? shape : accompanied(std::move(shape), random);
   }
   const Vec3 a = random.in({{-1, -1, -1}, {1, 1, 1}}), b = random.in({{-1, -1, -1}, {1, 1, 1}});
   const Vec3 c = random.in({{-1, -1, -1}, {1, 1, 1}});

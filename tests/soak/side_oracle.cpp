@@ -14,12 +14,15 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Flat = Kernel::Point_2;
+using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 using Corners = std::array<Vec3, 3>;
 
 Point point(const Vec3& v) { return {v.x, v.y, v.z}; }
 Flat seen_from_above(const Vec3& v) { return {v.x, v.y}; }
 
 bool has_area(const Corners& t) { return !CGAL::collinear(point(t[0]), point(t[1]), point(t[2])); }
+
+Exact::Point_3 exact(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 std::vector<Corners> proper_triangles(const Mesh& mesh) {
   std::vector<Corners> triangles;
@@ -65,6 +68,12 @@ bool covers(const Corners& t, const Vec3& p) {
   return true;
 }
 
+/// Where the vertical line through (x, y) meets the triangle's plane. Precondition: met_by_vertical.
+Exact::FT height(const Corners& t, double x, double y) {
+  const Exact::Plane_3 plane(exact(t[0]), exact(t[1]), exact(t[2]));
+  return -(plane.a() * x + plane.b() * y + plane.d()) / plane.c();
+}
+
 }  // namespace
 
 SideOracle::SideOracle(const Mesh& mesh) : triangles_(proper_triangles(mesh)), tree_(boxes_of(triangles_)) {}
@@ -92,9 +101,28 @@ std::optional<int> SideOracle::winding(Vec3 p) const {
   return count;
 }
 
+std::optional<int> SideOracle::winding_in_front(const Corners& t, double x, double y) const {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Vec3 p{x, y, 0};
+  const int own = met_by_vertical(t, p);
+  if (own == 0) return std::nullopt;
+  const Exact::FT level = height(t, x, y);
+  int above = 0;
+  bool alone = true;
+  tree_.over({{x, y, -infinity}, {x, y, infinity}}, [&](std::uint32_t number) {
+    const Corners& other = triangles_[number];
+    const int met = other == t ? 0 : met_by_vertical(other, p);
+    if (met == 0) return true;
+    const CGAL::Comparison_result higher = CGAL::compare(height(other, x, y), level);
+    alone = higher != CGAL::EQUAL;
+    if (higher == CGAL::LARGER) above += met;
+    return alone;
+  });
+  if (!alone) return std::nullopt;
+  return own > 0 ? above : above + own;
+}
+
 bool SideOracle::within(Vec3 p, double reach) const {
-  using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
-  const auto exact = [](const Vec3& v) { return Exact::Point_3(v.x, v.y, v.z); };
   const double margin = reach * 1.001 + std::numeric_limits<double>::denorm_min();
   const auto moved = [](const Vec3& v, double by) { return Vec3{v.x + by, v.y + by, v.z + by}; };
   const Exact::FT limit = Exact::FT(reach) * Exact::FT(reach);

@@ -24,6 +24,10 @@ class SideOracle {
   /// How often the surface winds around p; none if p is on it.
   std::optional<int> winding(Vec3 p) const;
 
+  /// The winding number just in front of triangle t where the vertical line through (x, y) meets it; none if
+  /// it does not, or if another triangle is met at the same height. Exact.
+  std::optional<int> winding_in_front(const std::array<Vec3, 3>& t, double x, double y) const;
+
   /// Whether the surface is at most `reach` away from p. Exact, and slow.
   bool within(Vec3 p, double reach) const;
 

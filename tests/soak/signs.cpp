@@ -22,27 +22,30 @@ Result<Field> build(const Mesh& mesh, unsigned threads) {
   return Field::build(mesh.view(), {}, run);
 }
 
+/// Points under one fit mesh.
+void try_field(const Candidate& candidate, const SideOracle& oracle, std::uint64_t points,
+               const Options& options, Report& report) {
+  const Result<Field> field = build(candidate.mesh, options.threads);
+  if (!field) return report.refused(candidate.name, field.error().text);
+  if (field->sign() == Sign::none) return report.refused(candidate.name, "the field has no signs");
+  const TrialOptions trial{points, options.seed, options.threads, options.second_opinion};
+  const auto start = std::chrono::steady_clock::now();
+  const Outcome outcome = run_trial(candidate.clean, *field, oracle, trial, [&](std::uint64_t done) {
+    report.progress(candidate.name, done, points);
+  });
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  report.tried(candidate, outcome, seconds.count());
+}
+
 /// True if the mesh counts: it was fit.
-bool try_mesh(const std::string& name, const Catalogue& catalogue, std::uint64_t points, const Options& options,
-              Report& report) {
+bool try_mesh(const std::string& name, const Catalogue& catalogue, std::uint64_t points,
+              const Options& options, Report& report) {
   std::string why;
   const std::optional<Candidate> candidate = catalogue.make(name, why);
   if (candidate) {
-    const SideOracle oracle(candidate->mesh);
-    why = candidate->mesh.triangles.empty() ? "no triangles" : why_unfit(candidate->mesh, oracle);
-    if (why.empty()) {
-      const Result<Field> field = build(candidate->mesh, options.threads);
-      if (!field) return report.refused(name, field.error().text), true;
-      if (field->sign() == Sign::none) return report.refused(name, "the field has no signs"), true;
-      TrialOptions trial{points, options.seed, options.threads, options.second_opinion};
-      const auto start = std::chrono::steady_clock::now();
-      const Outcome outcome = run_trial(candidate->mesh, *field, oracle, trial, [&](std::uint64_t done) {
-        report.progress(name, done, points);
-      });
-      report.tried(*candidate, outcome,
-                   std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-      return true;
-    }
+    const SideOracle oracle(candidate->clean);
+    why = why_unfit(candidate->clean, oracle);
+    if (why.empty()) return try_field(*candidate, oracle, points, options, report), true;
   }
   report.skipped(name, why);
   return false;
@@ -58,14 +61,15 @@ int soak(const Options& options) {
   for (std::uint64_t place = 0; place < last && taken < options.meshes; ++place) {
     const std::string name = catalogue.name(place);
     if (name.find(options.only) == std::string::npos) continue;
-    const std::uint64_t points = options.points / options.meshes + (taken < options.points % options.meshes ? 1 : 0);
+    const std::uint64_t points =
+        options.points / options.meshes + (taken < options.points % options.meshes ? 1 : 0);
     if (try_mesh(name, catalogue, points, options, report)) ++taken;
   }
   return report.summary();
 }
 
 int replay_point(const Candidate& candidate, const Field& field, const SideOracle& oracle, const Vec3& p) {
-  const Finding finding = judge(field, oracle, largest_coordinate(candidate.mesh), p);
+  const Finding finding = judge(field, oracle, largest_coordinate(candidate.clean), p);
   const Closest closest = field.closest(p);
   static constexpr const char* features[] = {"face", "edge", "vertex"};
   std::printf("point %a %a %a = (%.17g, %.17g, %.17g)\n", p.x, p.y, p.z, p.x, p.y, p.z);
@@ -75,7 +79,7 @@ int replay_point(const Candidate& candidate, const Field& field, const SideOracl
               closest.point.z);
   const std::optional<int> winding = oracle.winding(p);
   std::printf("oracle: %s\n", !winding ? "on the surface" : (*winding == 0 ? "outside" : "inside"));
-  return is_wrong(finding.verdict) ? 1 : 0;
+  return is_wrong(finding.verdict) || is_close(finding.verdict) ? 1 : 0;
 }
 
 int replay(const Options& options) {
@@ -85,8 +89,8 @@ int replay(const Options& options) {
     std::fprintf(stderr, "signs: %s: %s\n", options.replay.c_str(), why.c_str());
     return 2;
   }
-  const SideOracle oracle(candidate->mesh);
-  const std::string unfit = why_unfit(candidate->mesh, oracle);
+  const SideOracle oracle(candidate->clean);
+  const std::string unfit = why_unfit(candidate->clean, oracle);
   std::printf("%s: %s, %zu triangles, %s\n", candidate->name.c_str(), candidate->text.c_str(),
               candidate->mesh.triangles.size(), unfit.empty() ? "fit" : unfit.c_str());
   if (!options.write.empty()) {
@@ -110,5 +114,6 @@ int replay(const Options& options) {
 int main(int argc, char** argv) {
   const cdfr::soak::Parsed parsed = cdfr::soak::parse(argc, argv);
   if (parsed.exit_status) return *parsed.exit_status;
-  return parsed.options.replay.empty() ? cdfr::soak::soak(parsed.options) : cdfr::soak::replay(parsed.options);
+  return parsed.options.replay.empty() ? cdfr::soak::soak(parsed.options)
+                                       : cdfr::soak::replay(parsed.options);
 }

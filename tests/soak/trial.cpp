@@ -15,7 +15,7 @@ namespace cdfr::soak {
 namespace {
 
 constexpr std::uint64_t chunk_size = 2048;
-constexpr std::size_t most_findings = 8;
+constexpr std::size_t most_findings = 4;
 
 double ulp_at(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()) - x; }
 
@@ -23,10 +23,20 @@ double largest_with(double largest, const Vec3& p) {
   return std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
 }
 
+template <class T>
+void append(std::vector<T>& few, const T& item) {
+  if (few.size() < most_findings) few.push_back(item);
+}
+
 class Trial {
  public:
   Trial(const Mesh& mesh, const Field& field, const SideOracle& oracle, const TrialOptions& options)
-      : field_(field), oracle_(oracle), second_(mesh), source_(mesh, field), largest_(largest_coordinate(mesh)), options_(options) {}
+      : field_(field),
+        oracle_(oracle),
+        second_(mesh),
+        source_(mesh, field),
+        largest_(largest_coordinate(mesh)),
+        options_(options) {}
 
   Outcome chunk(std::uint64_t number) const {
     Outcome outcome;
@@ -43,11 +53,13 @@ class Trial {
  private:
   static void count(const Finding& finding, Outcome& outcome) {
     const Verdict v = finding.verdict;
-    outcome.on_surface += v == Verdict::right_on_surface || v == Verdict::wrong_on_surface;
+    outcome.on_surface +=
+        v == Verdict::right_on_surface || v == Verdict::wrong_on_surface || v == Verdict::close_on_surface;
     outcome.too_close += v == Verdict::too_close;
-    if (!is_wrong(v)) return;
-    ++outcome.wrong;
-    if (outcome.first_wrong.size() < most_findings) outcome.first_wrong.push_back(finding);
+    outcome.close += is_close(v);
+    outcome.wrong += is_wrong(v);
+    if (is_close(v)) append(outcome.first_close, finding);
+    if (is_wrong(v)) append(outcome.first_wrong, finding);
   }
 
   void ask_again(const Vec3& p, Outcome& outcome) const {
@@ -58,7 +70,7 @@ class Trial {
     ++outcome.asked_twice;
     if (side == *other) return;
     ++outcome.oracles_disagree;
-    if (outcome.first_disagreed.size() < most_findings) outcome.first_disagreed.push_back(p);
+    append(outcome.first_disagreed, p);
   }
 
   const Field& field_;
@@ -69,52 +81,58 @@ class Trial {
   TrialOptions options_;
 };
 
-template <class T>
-void append(std::vector<T>& all, const std::vector<T>& more) {
-  for (const T& item : more) {
-    if (all.size() < most_findings) all.push_back(item);
-  }
-}
-
 void join(Outcome& all, const Outcome& part) {
   all.points += part.points;
   all.on_surface += part.on_surface;
   all.too_close += part.too_close;
+  all.close += part.close;
   all.wrong += part.wrong;
   all.asked_twice += part.asked_twice;
   all.oracles_disagree += part.oracles_disagree;
-  append(all.first_wrong, part.first_wrong);
-  append(all.first_disagreed, part.first_disagreed);
+  for (const Finding& finding : part.first_wrong) append(all.first_wrong, finding);
+  for (const Finding& finding : part.first_close) append(all.first_close, finding);
+  for (const Vec3& p : part.first_disagreed) append(all.first_disagreed, p);
 }
 
 }  // namespace
 
 const char* text_of(Verdict verdict) noexcept {
   switch (verdict) {
-    case Verdict::right: return "right";
-    case Verdict::right_on_surface: return "right, on the surface";
-    case Verdict::too_close: return "too close to have a side";
-    case Verdict::wrong_side: return "wrong side";
-    case Verdict::wrong_on_surface: return "on the surface, and not 0";
-    case Verdict::not_a_solid: return "winding number neither 0 nor 1";
+    case Verdict::right:
+      return "right";
+    case Verdict::right_on_surface:
+      return "right, on the surface";
+    case Verdict::too_close:
+      return "0, too close to have a side";
+    case Verdict::close_side:
+      return "wrong side within 4 ulp";
+    case Verdict::close_on_surface:
+      return "on the surface, and not 0 but within 4 ulp";
+    case Verdict::wrong_side:
+      return "WRONG SIDE";
+    case Verdict::wrong_on_surface:
+      return "ON THE SURFACE, and not 0";
+    case Verdict::not_a_solid:
+      return "winding number neither 0 nor 1";
   }
   return "";
 }
 
 Finding judge(const Field& field, const SideOracle& oracle, double largest, Vec3 point) {
-  Finding finding{Verdict::right, point, field.distance(point)};
+  const double d = field.distance(point);
+  const double close = 4 * ulp_at(largest_with(largest, point));
   const std::optional<int> winding = oracle.winding(point);
-  if (!winding) {
-    finding.verdict = finding.distance == 0 ? Verdict::right_on_surface : Verdict::wrong_on_surface;
-  } else if (*winding != 0 && *winding != 1) {
-    finding.verdict = Verdict::not_a_solid;
-  } else if (finding.distance == 0) {
-    const bool close = oracle.within(point, 4 * ulp_at(largest_with(largest, point)));
-    finding.verdict = close ? Verdict::too_close : Verdict::wrong_side;
-  } else if (!(*winding == 1 ? finding.distance < 0 : finding.distance > 0)) {  // NaN is wrong too
-    finding.verdict = Verdict::wrong_side;
-  }
-  return finding;
+  const auto verdict = [&] {
+    if (!winding) {
+      if (d == 0) return Verdict::right_on_surface;
+      return std::fabs(d) <= close ? Verdict::close_on_surface : Verdict::wrong_on_surface;
+    }
+    if (*winding != 0 && *winding != 1) return Verdict::not_a_solid;
+    if (*winding == 1 ? d < 0 : d > 0) return Verdict::right;
+    if (std::isnan(d) || !oracle.within(point, close)) return Verdict::wrong_side;
+    return d == 0 ? Verdict::too_close : Verdict::close_side;
+  };
+  return {verdict(), point, d};
 }
 
 Outcome run_trial(const Mesh& mesh, const Field& field, const SideOracle& oracle, const TrialOptions& options,

@@ -2,18 +2,34 @@
 /// gone, and what is left is closed.
 #pragma once
 
-#include <map>
+#include <cstdint>
 #include <optional>
-#include <string>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 #include "cdfr/mesh/mesh.h"
 
 namespace cdfr::soak {
 
-/// From (tail, head) to the triangle that runs along it.
-using DirectedEdges = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;
+/// From an edge as a triangle runs along it, tail to head, to that triangle.
+class DirectedEdges {
+ public:
+  explicit DirectedEdges(std::size_t count) { triangles_.reserve(count); }
+  /// False if there is one already.
+  bool add(std::uint32_t tail, std::uint32_t head, std::uint32_t triangle) {
+    return triangles_.try_emplace(key(tail, head), triangle).second;
+  }
+  void remove(std::uint32_t tail, std::uint32_t head) { triangles_.erase(key(tail, head)); }
+  bool has(std::uint32_t tail, std::uint32_t head) const { return triangles_.contains(key(tail, head)); }
+  /// Precondition: has(tail, head).
+  std::uint32_t at(std::uint32_t tail, std::uint32_t head) const { return triangles_.at(key(tail, head)); }
+
+ private:
+  static std::uint64_t key(std::uint32_t tail, std::uint32_t head) {
+    return std::uint64_t{tail} << 32 | head;
+  }
+  std::unordered_map<std::uint64_t, std::uint32_t> triangles_;
+};
 
 /// Keeps the order of what it keeps. Patches are dropped.
 Mesh welded(const Mesh& mesh);

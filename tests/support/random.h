@@ -1,6 +1,7 @@
 /// A small generator whose numbers are the same everywhere, and points drawn with it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "cdfr/core/types.h"
@@ -43,6 +44,10 @@ inline Box scaled(const Box& box, double factor) noexcept {
   side(box.lo.y, box.hi.y, result.lo.y, result.hi.y);
   side(box.lo.z, box.hi.z, result.lo.z, result.hi.z);
   return result;
+}
+
+inline double longest(const Box& box) noexcept {
+  return std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
 }
 
 }  // namespace cdfr::test

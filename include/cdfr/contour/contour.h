@@ -32,7 +32,7 @@ struct ContourReport {
 
 /// Points of the contour {x : signed distance = distance}; a depth t is distance -t. No hole: within the
 /// tolerance of every point of the true contour there is a point. No ghost: the true contour passes within
-/// each point's error. Points come in Morton order, the same for any thread count. An empty contour is an
+/// each point's error. On an open mesh the contour ends where the sign changes off the surface. Points come in Morton order, the same for any thread count. An empty contour is an
 /// answer, not an error. Errors: bad_option (distance or tolerance not finite; tolerance below 2^-40 of the
 /// longest side or 64 ulp of the largest coordinate), not_closed (a negative distance of an unsigned field),
 /// cancelled, and the sink's own.

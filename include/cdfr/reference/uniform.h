@@ -39,7 +39,8 @@ struct UniformOptions {
   bool surface_inherits = true;
 };
 
-/// Most voxels of a grid, and most tuples of all lists together.
+/// Most voxels of a grid (about 50 bytes each), and most tuples of all lists together after a round (16
+/// bytes).
 inline constexpr std::uint64_t most_uniform_cells = std::uint64_t{1} << 24;
 inline constexpr std::uint64_t most_uniform_tuples = std::uint64_t{1} << 27;
 

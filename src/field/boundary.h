@@ -1,0 +1,37 @@
+/// The boundary of an open mesh: the edges that its triangles run along more often one way than the other;
+/// and how much the winding number can change within a ball, which hangs on the boundary alone.
+///
+/// Where no triangle is, w is harmonic and its gradient is the Biot-Savart field of the boundary: at most
+/// L / (4 pi r^2) for boundary of length L, none nearer than r. So within a ball of radius R about c that no
+/// triangle enters, w differs from w(c) by at most R * sum of L_i / (4 pi (r_i - R)^2), r_i the distance from
+/// c to part i of the boundary. Near parts are cut small, far ones taken together by BVH node.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "cdfr/core/types.h"
+#include "mesh/bvh.h"
+
+namespace cdfr {
+
+struct BoundaryEdge {
+  Vec3 from, to;
+  double times = 0;  ///< how often it counts
+};
+
+struct Boundary {
+  std::vector<BoundaryEdge> edges;   ///< each once, in the order of slots
+  std::vector<std::uint32_t> first;  ///< by group: its first edge; one more at the end
+  std::vector<double> lengths;       ///< by BVH node, rounded up
+};
+
+/// Edge ids of the records are below edge_count. O(n).
+Boundary find_boundary(SearchSpace space, std::size_t edge_count);
+
+/// Bound on |w(x) - w(centre)| over the ball, if no triangle enters it; infinite if the boundary does or
+/// nearly does.
+double winding_drift(const Boundary& boundary, SearchSpace space, const Vec3& centre, double radius) noexcept;
+
+}  // namespace cdfr
