@@ -53,8 +53,10 @@ Boundary find_boundary(SearchSpace space, std::size_t edge_count) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t edge = space.triangles.records[slot].edges[k];
       if (edge == no_index || balance[edge] == 0) continue;
-      const BoundaryEdge found{shape.vertices[k], shape.vertices[(k + 1) % 3],
-                               static_cast<double>(std::abs(balance[edge]))};
+      const auto& ids = space.triangles.records[slot].vertices;
+      const bool along = (ids[k] < ids[(k + 1) % 3]) == (balance[edge] > 0);
+      const Vec3 &a = shape.vertices[k], &b = shape.vertices[(k + 1) % 3];
+      const BoundaryEdge found{along ? a : b, along ? b : a, static_cast<double>(std::abs(balance[edge]))};
       boundary.edges.push_back(found);
       group_length[slot / group_size] += found.times * distance_between(found.from, found.to) * up;
       balance[edge] = 0;

@@ -16,6 +16,7 @@
 
 namespace cdfr {
 
+/// In the direction that is run along more often.
 struct BoundaryEdge {
   Vec3 from, to;
   double times = 0;  ///< how often it counts

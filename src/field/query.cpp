@@ -200,6 +200,13 @@ double signed_distance(const FieldData& field, const Vec3& x) noexcept {
   return signed_by(field, query, find_winner(field, query.p), side);
 }
 
+double unsigned_distance(const FieldData& field, const Vec3& x) noexcept {
+  if (!is_finite(x)) return not_a_number;
+  const FloatingEnvironment environment;
+  const Query query = admitted(x);
+  return square_root(find_winner(field, query.p).foot.squared) * query.scale;
+}
+
 Closest closest_point(const FieldData& field, const Vec3& x, Finder finder) noexcept {
   Closest result;
   if (!is_finite(x)) {

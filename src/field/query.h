@@ -44,6 +44,7 @@ Winner find_winner_brute(const FieldData& field, const Vec3& p) noexcept;
 enum class Finder { tree, brute };
 
 double signed_distance(const FieldData& field, const Vec3& x) noexcept;
+double unsigned_distance(const FieldData& field, const Vec3& x) noexcept;
 Closest closest_point(const FieldData& field, const Vec3& x, Finder finder) noexcept;
 
 }  // namespace cdfr

@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "core/vector.h"
 #include "geometry/box_distance.h"
 #include "geometry/query_range.h"
+#include "mesh/crossings.h"
 #include "mesh/triangles.h"
 
 namespace cdfr {
@@ -20,6 +22,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double up = 1 + 0x1p-40;
 /// Openings tried before single triangles: each costs a few times the one before.
 constexpr double openings[] = {2, 4, 8, 16, infinity};
+/// Boundaries up to this length are summed at once: as quick as an opening of 2.
+constexpr std::size_t few_edges = 256;
+/// A sum over a boundary that is worse has met an edge; another direction will not.
+constexpr double good_error = 0x1p-24;
+constexpr std::uint32_t most_attempts = 64;
 
 /// How far a stored centre may be from the one that the moments were taken about, and half of that again.
 double centre_doubt(const Vec3& centre) noexcept { return 0x1p-51 * largest_magnitude(centre); }
@@ -148,23 +155,53 @@ Bounded winding_number(const WindingTree& tree, SearchSpace space, const Vec3& p
   return {sum.value / four_pi, sum.error / four_pi * up};
 }
 
-bool winds(const WindingTree& tree, SearchSpace space, const Vec3& p) noexcept {
-  Bounded w;
-  for (const double opening : openings) {
-    w = winding_number(tree, space, p, opening);
-    if (std::fabs(w.value - 0.5) > w.error) break;
+Bounded winding_by_boundary(const WindingTree& tree, SearchSpace space, const Vec3& p) noexcept {
+  Bounded best{0, infinity};
+  for (std::uint32_t attempt = 0; attempt < most_attempts; ++attempt) {
+    const Vec3 direction = ray_direction(attempt);
+    const std::optional<int> crossings = crossings_along(p, direction, space);
+    if (!crossings) continue;
+    const Vec3 back{-direction.x, -direction.y, -direction.z};
+    Bounded sum;
+    for (const BoundaryEdge& edge : tree.boundary.edges) {
+      const Bounded angle = solid_angle_to_infinity(p, edge.from, edge.to, back);
+      sum.value += edge.times * angle.value;
+      sum.error += edge.times * (angle.error + 0x1p-50);
+    }
+    const Bounded w{*crossings + sum.value / four_pi, sum.error / four_pi * up};
+    if (w.error < best.error) best = w;
+    if (best.error < good_error) break;
   }
-  return w.value > 0.5;
+  return best;
+}
+
+namespace {
+
+/// w(p), refined until it is farther than `margin` from 1/2 or known to rounding. A short boundary is the
+/// quicker way, and if it is shorter than the mesh the surer one.
+Bounded refined(const WindingTree& tree, SearchSpace space, const Vec3& p, double margin) noexcept {
+  const auto decided = [margin](const Bounded& w) { return std::fabs(w.value - 0.5) > w.error + margin; };
+  const std::size_t edges = tree.boundary.edges.size();
+  Bounded w{0, infinity};
+  for (const double opening : openings) {
+    const bool by_boundary = edges <= few_edges || (opening > 4 && edges < space.triangles.size());
+    w = by_boundary ? winding_by_boundary(tree, space, p) : winding_number(tree, space, p, opening);
+    if (decided(w) || (by_boundary && w.error < good_error)) return w;
+  }
+  return w;
+}
+
+}  // namespace
+
+bool winds(const WindingTree& tree, SearchSpace space, const Vec3& p) noexcept {
+  return refined(tree, space, p, 0).value > 0.5;
 }
 
 Side side_of_ball(const WindingTree& tree, SearchSpace space, const Vec3& centre, double radius) noexcept {
   const double drift = winding_drift(tree.boundary, space, centre, radius);
   if (!std::isfinite(drift)) return Side::undecided;
-  for (const double opening : openings) {
-    const Bounded w = winding_number(tree, space, centre, opening);
-    if (std::fabs(w.value - 0.5) > w.error + drift) return w.value > 0.5 ? Side::inside : Side::outside;
-    if (std::fabs(w.value - 0.5) + w.error <= drift) break;
-  }
+  const Bounded w = refined(tree, space, centre, drift);
+  if (std::fabs(w.value - 0.5) > w.error + drift) return w.value > 0.5 ? Side::inside : Side::outside;
   return Side::undecided;
 }
 

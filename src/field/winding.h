@@ -51,6 +51,12 @@ WindingTree build_winding_tree(SearchSpace space, std::size_t edge_count);
 /// w(p), nodes taken whole where p is at least `opening` of their radii away; infinite: triangle by triangle.
 Bounded winding_number(const WindingTree& tree, SearchSpace space, const Vec3& p, double opening) noexcept;
 
+/// w(p) as a whole number and a sum over the boundary: with a fan of triangles from each boundary edge to the
+/// point at infinity behind p the mesh is closed, a ray from p straight ahead crosses none of the fan, so the
+/// crossings of the mesh count the windings of both together, and what the fan takes up is subtracted. Exact
+/// but for rounding. O(boundary) and one ray.
+Bounded winding_by_boundary(const WindingTree& tree, SearchSpace space, const Vec3& p) noexcept;
+
 /// w(p) > 1/2, refined until certain or exact but for rounding.
 bool winds(const WindingTree& tree, SearchSpace space, const Vec3& p) noexcept;
 

@@ -21,4 +21,9 @@ struct Bounded {
 /// range of query_range.h.
 Bounded solid_angle(const Vec3& p, const std::array<Vec3, 3>& triangle) noexcept;
 
+/// Of the triangle from, to and the point at infinity in that direction. Where p is within 2^-80 of its
+/// border the error is a whole turn; where it is in its plane, and rounding hides on which side, too.
+Bounded solid_angle_to_infinity(const Vec3& p, const Vec3& from, const Vec3& to,
+                                const Vec3& direction) noexcept;
+
 }  // namespace cdfr

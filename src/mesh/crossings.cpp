@@ -166,21 +166,24 @@ std::optional<int> winding_along(const Ray& ray, SearchSpace space, std::uint32_
   return winding;
 }
 
-/// Points of the curve (1, t, t^2): any three are independent (Vandermonde). t runs over the 2^20 multiples
-/// of 2^-19 in [-1, 1) in a scattered order, so that t^2 is exact.
-Vec3 direction(std::uint32_t attempt) noexcept {
+}  // namespace
+
+/// Any three points of this curve are independent (Vandermonde). t runs over the 2^20 multiples of 2^-19 in
+/// [-1, 1) in a scattered order, so that t^2 is exact.
+Vec3 ray_direction(std::uint32_t attempt) noexcept {
   const std::uint32_t place = (attempt * 0x9e375U + 0x5a827U) & 0xfffffU;
   const double t = static_cast<double>(place) * 0x1p-19 - 1;
   return {1, t, t * t};
 }
 
-}  // namespace
+std::optional<int> crossings_along(const Vec3& p, const Vec3& direction, SearchSpace space) noexcept {
+  return winding_along({{p, {}, {}}, p, 0, direction}, space, no_index);
+}
 
 int winding_by_crossings(const Vec3& p, SearchSpace space) noexcept {
   if (!contains(space.bvh.nodes[0].box, p)) return 0;
   for (std::uint32_t attempt = 0;; ++attempt) {
-    const Ray ray{{p, {}, {}}, p, 0, direction(attempt)};
-    if (const std::optional<int> winding = winding_along(ray, space, no_index)) return *winding;
+    if (const std::optional<int> winding = crossings_along(p, ray_direction(attempt), space)) return *winding;
   }
 }
 
@@ -193,7 +196,7 @@ int winding_in_front(std::uint32_t slot, SearchSpace space) noexcept {
   ray.doubt = 4 * unit_roundoff *
               std::max({largest_magnitude(v[0]), largest_magnitude(v[1]), largest_magnitude(v[2])});
   for (std::uint32_t attempt = 0;; ++attempt) {
-    ray.direction = direction(attempt);
+    ray.direction = ray_direction(attempt);
     const int towards = rises(ray.direction, v);
     if (towards == 0) continue;
     const std::optional<int> winding = winding_along(ray, space, slot);

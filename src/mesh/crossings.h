@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "cdfr/core/types.h"
 #include "mesh/bvh.h"
@@ -15,8 +16,15 @@ namespace cdfr {
 /// and within the range of query_range.h; on the surface the result says nothing. O(sqrt n) as a rule.
 int winding_by_crossings(const Vec3& p, SearchSpace space) noexcept;
 
-/// The same for a point just off the front (where the normal points) of a triangle that has an area and that
-/// no other one meets but at shared edges and corners: the ray starts exactly on it and does not count it.
+/// The direction that is tried at that turn: (1, t, t^2).
+Vec3 ray_direction(std::uint32_t attempt) noexcept;
+
+/// The crossings of one ray from p, whether the mesh is balanced or not; nothing if the ray is spoilt.
+std::optional<int> crossings_along(const Vec3& p, const Vec3& direction, SearchSpace space) noexcept;
+
+/// The same as winding_by_crossings for a point just off the front (where the normal points) of a triangle
+/// that has an area and that no other one meets but at shared edges and corners: the ray starts exactly on it
+/// and does not count it.
 int winding_in_front(std::uint32_t slot, SearchSpace space) noexcept;
 
 }  // namespace cdfr

@@ -50,6 +50,8 @@ TEST(Winding, ASumIsWithinItsBoundAtAnyOpening) {
       for (const double opening : {1.1, 2.0, 4.0, std::numeric_limits<double>::infinity()}) {
         const Bounded w = winding_number(data.winding, data.space(), p, opening);
         EXPECT_NEAR(w.value, truth, w.error + 1e-12) << opening;
+        EXPECT_LE(winding_by_boundary(data.winding, data.space(), p).error, 1e-6);
+        EXPECT_NEAR(winding_by_boundary(data.winding, data.space(), p).value, truth, 1e-9);
         if (opening == 4) largest_error = std::max(largest_error, w.error);
       }
     }

@@ -34,7 +34,7 @@ std::vector<ReferenceModel> reference_models() {
   }
   models.push_back({"nist_1", "", "tess/NIST_MBE_PMI_1_d3_a40.stl", 16, true});
   models.push_back({"xyz_cube", "", "mikedh_trimesh/20mm-xyz-cube.stl", 12, true});
-  models.push_back({"bracket", "", "tess/kcl_focusrite-scarlett-mounting-bracket_d3_a60.stl", 32, true});
+  models.push_back({"plate_holes", "", "mikedh_trimesh/plate_holes.STL", 32, true});
   models.push_back({"open_pocket", "", "mikedh_trimesh/octagonal_pocket.stl", 24, false});
   return models;
 }

@@ -18,7 +18,8 @@ struct ReferenceModel {
 };
 std::ostream& operator<<(std::ostream& out, const ReferenceModel& model);
 
-/// Every made part, then some real models.
+/// Every made part, then some real models. The closed ones are embedded: the paper presupposes it, and signs
+/// are compared.
 std::vector<ReferenceModel> reference_models();
 
 /// Why the model is left out of this run, or nothing. CDFR_POINTS, the number of points a model, brings in

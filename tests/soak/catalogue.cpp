@@ -77,7 +77,7 @@ std::optional<Candidate> Catalogue::make(const std::string& name, std::string& w
     return std::nullopt;
   }
   Mesh clean = welded(shape->mesh);
-  return Candidate{name, shape->text, std::move(shape->mesh), std::move(clean)};
+  return Candidate{name, shape->text, std::move(shape->mesh), std::move(clean), random.bits()};
 }
 
 }  // namespace cdfr::soak

@@ -12,10 +12,11 @@
 namespace cdfr::soak {
 
 struct Candidate {
-  std::string name;  ///< "wedge/3", "model/part_cube": with the seed it makes the same mesh again
-  std::string text;  ///< what it is
-  Mesh mesh;         ///< what the field is built of
-  Mesh clean;        ///< as welded() leaves it, for all else
+  std::string name;        ///< "wedge/3", "model/part_cube": with the seed it makes the same mesh again
+  std::string text;        ///< what it is
+  Mesh mesh;               ///< what the field is built of
+  Mesh clean;              ///< as welded() leaves it, for all else
+  std::uint64_t seed = 0;  ///< for its points
 };
 
 class Catalogue {

@@ -1,20 +1,32 @@
 #include "soak/options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <string>
 #include <thread>
 #include <vector>
 
 namespace cdfr::soak {
+namespace {
+
+double number(const std::string& text) {
+  char* end = nullptr;
+  const double x = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(x))
+    throw CLI::ValidationError("--replay", "no number: " + text);
+  return x;
+}
+
+}  // namespace
 
 Parsed parse(int argc, char** argv) {
   Options options;
   std::vector<std::string> replay;
   CLI::App app(
-      "Checks the sign of the distance at many points of closed, embedded meshes against an exact oracle. "
-      "Status "
-      "1 if any is wrong, 2 for wrong usage.",
+      "Checks the sign of the distance at many points of closed, embedded, outward meshes against an exact "
+      "oracle. Status 1 if any is wrong, 2 for wrong usage.",
       "signs");
   app.add_option("--points", options.points, "points in all, shared out among the meshes")
       ->capture_default_str();
@@ -39,16 +51,7 @@ Parsed parse(int argc, char** argv) {
     if (replay.size() == 2 || replay.size() == 3)
       throw CLI::ValidationError("--replay", "takes NAME or NAME X Y Z");
     if (!replay.empty()) options.replay = replay[0];
-    if (replay.size() == 4) {
-      double coordinates[3];
-      for (std::size_t i = 0; i < 3; ++i) {
-        char* end = nullptr;
-        coordinates[i] = std::strtod(replay[i + 1].c_str(), &end);
-        if (end == replay[i + 1].c_str() || *end != '\0' || !std::isfinite(coordinates[i]))
-          throw CLI::ValidationError("--replay", "no number: " + replay[i + 1]);
-      }
-      options.point = Vec3{coordinates[0], coordinates[1], coordinates[2]};
-    }
+    if (replay.size() == 4) options.point = Vec3{number(replay[1]), number(replay[2]), number(replay[3])};
   } catch (const CLI::ParseError& error) {
     return {options, app.exit(error) == 0 ? 0 : 2};
   }

@@ -28,7 +28,7 @@ void try_field(const Candidate& candidate, const SideOracle& oracle, std::uint64
   const Result<Field> field = build(candidate.mesh, options.threads);
   if (!field) return report.refused(candidate.name, field.error().text);
   if (field->sign() == Sign::none) return report.refused(candidate.name, "the field has no signs");
-  const TrialOptions trial{points, options.seed, options.threads, options.second_opinion};
+  const TrialOptions trial{points, candidate.seed, options.threads, options.second_opinion};
   const auto start = std::chrono::steady_clock::now();
   const Outcome outcome = run_trial(candidate.clean, *field, oracle, trial, [&](std::uint64_t done) {
     report.progress(candidate.name, done, points);
