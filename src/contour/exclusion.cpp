@@ -39,7 +39,7 @@ class BaseTriangles {
 
  private:
   void add(const FieldData& field, const Vec3& x) noexcept {
-    const std::uint32_t slot = find_winner(field, x).slot;
+    const std::uint32_t slot = find_closest(field, x).winner.slot;
     const auto end = slots_.begin() + static_cast<std::ptrdiff_t>(count_);
     if (std::find(slots_.begin(), end, slot) == end) slots_[count_++] = slot;
   }

@@ -23,7 +23,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 /// the kernel. Where very many are equally close (the centre of a sphere) the kernel is asked in between.
 class Contenders {
  public:
-  Contenders(const Vec3& p, const TriangleStore& triangles) noexcept : race_(p, triangles) {}
+  Contenders(const Vec3& p, const FieldData& field) noexcept : race_(p, field.triangles, size_of(field, p)) {}
 
   void operator()(std::uint32_t slot, double squared, double reject) noexcept {
     if (size_ == held_.size()) {
@@ -33,12 +33,12 @@ class Contenders {
     held_[size_++] = {slot, squared};
   }
 
-  Winner settle(double reject) noexcept {
+  Finding settle(double reject) noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
       if (held_[i].squared <= reject) race_.challenge(held_[i].slot);
     }
     size_ = 0;
-    return race_.winner();
+    return race_.finding();
   }
 
  private:
@@ -80,9 +80,9 @@ double reach_of(const Box& box, const Vec3& p) noexcept {
   return (distance_between(p, box.lo) + diagonal_above(box)) * (1 + 8 * unit_roundoff);
 }
 
-double signed_by(const FieldData& field, const Query& query, const Winner& winner, int& side) noexcept {
-  side = side_of(field, query.p, winner);
-  const double distance = square_root(winner.foot.squared) * query.scale;
+double signed_by(const FieldData& field, const Query& query, const Finding& finding, int& side) noexcept {
+  side = side_of(field, query.p, finding);
+  const double distance = square_root(finding.winner.foot.squared) * query.scale;
   return side < 0 ? -distance : distance;
 }
 
@@ -135,36 +135,91 @@ Vec3 gradient_of(const FieldData& field, const Winner& winner, const TriangleSha
 
 }  // namespace
 
+namespace {
+
+bool beats(const Winner& a, const Winner& b) noexcept {
+  return b.slot == no_index || a.foot.squared < b.foot.squared ||
+         (a.foot.squared == b.foot.squared && a.number < b.number);
+}
+
+}  // namespace
+
 void Race::challenge(std::uint32_t slot) noexcept {
   const TriangleShape shape = triangles_.shape(slot);
-  const Winner challenger{measure(p_, shape), Side::undecided, slot, triangles_.records[slot].number};
-  Winner& best = rounded(shape.normal) == Vec3{} ? flat_ : proper_;
-  const bool wins = best.slot == no_index || challenger.foot.squared < best.foot.squared ||
-                    (challenger.foot.squared == best.foot.squared && challenger.number < best.number);
+  const Winner challenger{measure(p_, shape), slot, triangles_.records[slot].number};
+  if (rounded(shape.normal) != Vec3{}) {
+    challenge_proper(challenger);
+  } else if (beats(challenger, flat_)) {
+    flat_ = challenger;
+  }
+}
+
+/// The kernel is within 2^-93 R of the truth, and R is at most 4 times the size; an edge may stand for a face
+/// 2^-94 R beside it. So a distance that is larger by 2^-88 of the size is larger in truth.
+void Race::challenge_proper(const Winner& challenger) noexcept {
+  Winner& best = proper_.winner;
+  if (best.slot == no_index) {
+    best = challenger;
+    return;
+  }
+  const double gap = 0x1p-88 * size_;
+  const double apart = (challenger.foot.squared - best.foot.squared).hi;
+  const double farther = std::sqrt(std::max(challenger.foot.squared.hi, best.foot.squared.hi));
+  const bool tied = std::fabs(apart) <= 2 * gap * farther * (1 + 4 * unit_roundoff) + gap * gap;
+  const bool wins = beats(challenger, best);
+  if (!tied && wins) {
+    proper_.rival_count = 0;
+    proper_.crowded = false;
+  }
+  if (tied && !same_feature(challenger, best)) add_rival(wins ? best : challenger);
   if (wins) best = challenger;
 }
 
-Winner Race::winner() const noexcept {
-  if (flat_.slot == no_index || proper_.slot == no_index) return flat_.slot == no_index ? proper_ : flat_;
-  // The kernel is within 2^-93 R of the truth, and R is at most 4 times the largest coordinate.
-  double size = largest_magnitude(p_);
-  for (const Vec3& v : triangles_.shape(flat_.slot).vertices) size = std::max(size, largest_magnitude(v));
-  const double gap = (proper_.foot.squared - flat_.foot.squared).hi;
-  const bool closer = gap > 0x1p-89 * size * square_root(proper_.foot.squared);
-  return closer ? flat_ : proper_;
+void Race::add_rival(const Winner& loser) noexcept {
+  if (proper_.rival_count == proper_.rivals.size()) {
+    proper_.crowded = true;
+  } else {
+    proper_.rivals[proper_.rival_count++] = loser;
+  }
 }
 
-Winner find_winner(const FieldData& field, const Vec3& p) noexcept {
+bool Race::same_feature(const Winner& a, const Winner& b) const noexcept {
+  const auto &ra = triangles_.records[a.slot], &rb = triangles_.records[b.slot];
+  const TrianglePlace pa = a.foot.place, pb = b.foot.place;
+  if (pa >= 4 && pb >= 4) return ra.vertices[pa - 4] == rb.vertices[pb - 4];
+  if (pa >= 1 && pa < 4 && pb >= 1 && pb < 4) return ra.edges[pa - 1] == rb.edges[pb - 1];
+  return false;
+}
+
+Finding Race::finding() const noexcept {
+  if (flat_.slot == no_index) return proper_;
+  const Winner& proper = proper_.winner;
+  // The kernel is within 2^-93 R of the truth, and R is at most 4 times the size.
+  const bool closer = proper.slot == no_index || (proper.foot.squared - flat_.foot.squared).hi >
+                                                     0x1p-89 * size_ * square_root(proper.foot.squared);
+  if (!closer) return proper_;
+  Finding finding;
+  finding.winner = flat_;
+  finding.crowded = true;
+  return finding;
+}
+
+double size_of(const FieldData& field, const Vec3& p) noexcept {
+  return std::max(
+      {largest_magnitude(p), largest_magnitude(field.bounds().lo), largest_magnitude(field.bounds().hi)});
+}
+
+Finding find_closest(const FieldData& field, const Vec3& p) noexcept {
   const Lattice& lattice = field.tree.lattice;
   if (const std::optional<Located> at = locate(field.tree, p)) {
-    Search search(field.space(), p, lattice.reach(), Contenders(p, field.triangles));
+    Search search(field.space(), p, lattice.reach(), Contenders(p, field));
     search.list(at->entries(), lattice.edge,
                 distance_between(p, lattice.centre(at->cell)) * (1 + 8 * unit_roundoff));
-    Winner winner = search.accept().settle(search.reject());
-    winner.side = at->leaf->side();
-    return winner;
+    Finding finding = search.accept().settle(search.reject());
+    finding.leaf = at->leaf->side();
+    return finding;
   }
-  Search search(field.space(), p, reach_of(field.bounds(), p), Contenders(p, field.triangles));
+  Search search(field.space(), p, reach_of(field.bounds(), p), Contenders(p, field));
   search.descend(0);
   return search.accept().settle(search.reject());
 }
@@ -173,7 +228,7 @@ Winner find_winner(const FieldData& field, const Vec3& p) noexcept {
 /// the kernel. The kernel is within 2^-93 of the reach and Race tells flat triangles from proper ones by
 /// 2^-89 of the largest coordinate, which is at most |p| + reach: what lies farther by 2^-80 of that has
 /// lost.
-Winner find_winner_brute(const FieldData& field, const Vec3& p) noexcept {
+Finding find_closest_brute(const FieldData& field, const Vec3& p) noexcept {
   const TriangleStore& triangles = field.triangles;
   const auto corner = [&](std::uint32_t slot, std::size_t k) {
     return triangles.groups[slot / group_size].vertex(k, slot % group_size);
@@ -184,12 +239,12 @@ Winner find_winner_brute(const FieldData& field, const Vec3& p) noexcept {
   }
   radius = radius * (1 + 8 * unit_roundoff) + 0x1p-80 * (largest_magnitude(p) + reach_of(field.bounds(), p));
   const double reject = radius * radius * (1 + 4 * unit_roundoff);
-  Race race(p, triangles);
+  Race race(p, triangles, size_of(field, p));
   for (std::uint32_t slot = 0; slot < triangles.size(); ++slot) {
     const Vec3 a = corner(slot, 0), b = corner(slot, 1), c = corner(slot, 2);
     if (squared_distance_below(p, united(united({a, a}, {b, b}), {c, c})) <= reject) race.challenge(slot);
   }
-  return race.winner();
+  return race.finding();
 }
 
 double signed_distance(const FieldData& field, const Vec3& x) noexcept {
@@ -197,14 +252,14 @@ double signed_distance(const FieldData& field, const Vec3& x) noexcept {
   const FloatingEnvironment environment;
   const Query query = admitted(x);
   int side = 1;
-  return signed_by(field, query, find_winner(field, query.p), side);
+  return signed_by(field, query, find_closest(field, query.p), side);
 }
 
 double unsigned_distance(const FieldData& field, const Vec3& x) noexcept {
   if (!is_finite(x)) return not_a_number;
   const FloatingEnvironment environment;
   const Query query = admitted(x);
-  return square_root(find_winner(field, query.p).foot.squared) * query.scale;
+  return square_root(find_closest(field, query.p).winner.foot.squared) * query.scale;
 }
 
 Closest closest_point(const FieldData& field, const Vec3& x, Finder finder) noexcept {
@@ -217,11 +272,12 @@ Closest closest_point(const FieldData& field, const Vec3& x, Finder finder) noex
   }
   const FloatingEnvironment environment;
   const Query query = admitted(x);
-  const Winner winner =
-      finder == Finder::tree ? find_winner(field, query.p) : find_winner_brute(field, query.p);
+  const Finding finding =
+      finder == Finder::tree ? find_closest(field, query.p) : find_closest_brute(field, query.p);
+  const Winner& winner = finding.winner;
   const TriangleShape shape = field.triangles.shape(winner.slot);
   int side = 1;
-  result.distance = signed_by(field, query, winner, side);
+  result.distance = signed_by(field, query, finding, side);
   result.point = foot_point(query, winner, shape);
   result.gradient = gradient_of(field, winner, shape, side);
   result.triangle = winner.number;

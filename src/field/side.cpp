@@ -1,5 +1,7 @@
 #include "field/side.h"
 
+#include <algorithm>
+
 #include "geometry/box_distance.h"
 #include "mesh/crossings.h"
 
@@ -20,25 +22,37 @@ bool has_normal(const FieldData& field, const Winner& winner) noexcept {
   return normal != Vec3{};
 }
 
+/// What the surface around one feature says, if that is the closest one; 0 if it does not tell.
 int by_normals(const FieldData& field, const Vec3& p, const Winner& winner) noexcept {
   const TriangleRecord& record = field.triangles.records[winner.slot];
   const Sides sides = field.sign == Sign::pseudonormal ? Sides::outward : record.sides;
-  if (sides == Sides::unknown || !has_normal(field, winner)) return by_crossings(field, p);
+  if (sides == Sides::unknown || !has_normal(field, winner)) return 0;
   if (sides == Sides::both_inside) return -1;
   if (sides == Sides::both_outside) return 1;
-  const int side = side_of_normals(winner.foot, record, field.pseudonormals);
+  double reach = 0;
+  for (const Vec3& v : field.triangles.shape(winner.slot).vertices)
+    reach = std::max(reach, distance_between(p, v) * (1 + 8 * unit_roundoff));
+  return side_of_normals(winner.foot, record, field.pseudonormals, reach);
+}
+
+/// All that may be closest have to agree.
+int by_closest(const FieldData& field, const Vec3& p, const Finding& finding) noexcept {
+  int side = finding.crowded ? 0 : by_normals(field, p, finding.winner);
+  for (std::uint8_t i = 0; i < finding.rival_count && side != 0; ++i) {
+    if (by_normals(field, p, finding.rivals[i]) != side) side = 0;
+  }
   return side != 0 ? side : by_crossings(field, p);
 }
 
 }  // namespace
 
-int side_of(const FieldData& field, const Vec3& p, const Winner& winner) noexcept {
-  if (field.sign == Sign::none || winner.foot.squared.hi == 0) return 1;
-  if (winner.side == Side::inside) return -1;
-  if (winner.side == Side::outside) return 1;
+int side_of(const FieldData& field, const Vec3& p, const Finding& finding) noexcept {
+  if (field.sign == Sign::none || finding.winner.foot.squared.hi == 0) return 1;
+  if (finding.leaf == Side::inside) return -1;
+  if (finding.leaf == Side::outside) return 1;
   if (field.far_side != 0 && !contains(field.bounds(), p)) return field.far_side;
   if (!field.winding.empty()) return winds(field.winding, field.space(), p) ? -1 : 1;
-  return by_normals(field, p, winner);
+  return by_closest(field, p, finding);
 }
 
 }  // namespace cdfr

@@ -7,8 +7,8 @@
 
 namespace cdfr {
 
-/// 1 outside, -1 inside; 1 if unsigned or if the winner's distance is zero. The same whether a leaf or brute
-/// force found the winner.
-int side_of(const FieldData& field, const Vec3& p, const Winner& winner) noexcept;
+/// 1 outside, -1 inside; 1 if unsigned or if the distance is zero. The same whether a leaf or brute force
+/// found it.
+int side_of(const FieldData& field, const Vec3& p, const Finding& finding) noexcept;
 
 }  // namespace cdfr

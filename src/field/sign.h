@@ -31,8 +31,9 @@ Pseudonormals pseudonormals(const TriangleStore& store, std::size_t edges, std::
                             const std::vector<std::uint8_t>& plain_edges,
                             const std::vector<std::uint8_t>& plain_vertices);
 
-/// 1 on the side that the normals at the foot point to, -1 on the other one, 0 undecided. Precondition: the
-/// foot's distance is not zero.
-int side_of_normals(const Foot& foot, const TriangleRecord& record, const Pseudonormals& normals) noexcept;
+/// 1 on the side that the normals at the foot point to, -1 on the other one, 0 undecided. `reach` is at least
+/// the distance from the point to the triangle's vertices. Precondition: the foot's distance is not zero.
+int side_of_normals(const Foot& foot, const TriangleRecord& record, const Pseudonormals& normals,
+                    double reach) noexcept;
 
 }  // namespace cdfr

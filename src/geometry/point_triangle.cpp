@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/orientation.h"
+#include "geometry/planar_orientation.h"
 #include "geometry/query_range.h"
 #include "geometry/unit_normal.h"
 #include "geometry/vertex_order.h"
@@ -168,10 +169,36 @@ Foot on_boundary(const Vec3& p, const TriangleShape& triangle) noexcept {
   return best;
 }
 
+/// Exactly, for a triangle that has an area.
+bool lies_on(const Vec3& p, const TriangleShape& triangle) noexcept {
+  const auto& v = triangle.vertices;
+  if (orientation(v[0], v[1], v[2], p) != 0) return false;
+  const Vec3 n = rounded(triangle.normal);
+  const double size[3] = {std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
+  const int axis = size[0] >= size[1] ? (size[0] >= size[2] ? 0 : 2) : (size[1] >= size[2] ? 1 : 2);
+  int positive = 0, negative = 0;
+  for (int k = 0; k < 3; ++k) {
+    const int side =
+        planar_orientation(seen_along(axis, v[k]), seen_along(axis, v[(k + 1) % 3]), seen_along(axis, p));
+    positive += side > 0;
+    negative += side < 0;
+  }
+  return positive == 0 || negative == 0;
+}
+
 }  // namespace
 
 Foot measure(const Vec3& p, const TriangleShape& triangle) noexcept {
-  return projects_inside(p, triangle) ? on_face(p, triangle) : on_boundary(p, triangle);
+  if (projects_inside(p, triangle)) return on_face(p, triangle);
+  Foot foot = on_boundary(p, triangle);
+  // A face's border belongs to the edges as far as projections are doubtful: 2^-94 R.
+  const double doubt = 0x1p-90 * sum_of_magnitudes(minus(p, triangle.vertices[0]));
+  const bool has_area = rounded(triangle.normal) != Vec3{};
+  if (foot.squared.hi > 0 && foot.squared.hi <= doubt * doubt && has_area && lies_on(p, triangle)) {
+    foot.offset = {};
+    foot.squared = {};
+  }
+  return foot;
 }
 
 std::array<double, 3> barycentric(const Vec3& p, const TriangleShape& triangle, const Foot& foot) noexcept {

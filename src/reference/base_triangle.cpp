@@ -56,9 +56,14 @@ UniformClosest closest_among(const ReferenceSurface& surface, const Vec3& x,
   UniformClosest nothing;
   nothing.distance = std::numeric_limits<double>::quiet_NaN();
   if (list.empty()) return nothing;
-  Race race(without_dust(x), surface.triangles);
+  double size = largest_magnitude(x);
+  for (const CddTuple& tuple : list) {
+    for (const Vec3& v : surface.triangles.shape(tuple.triangle).vertices)
+      size = std::max(size, largest_magnitude(v));
+  }
+  Race race(without_dust(x), surface.triangles, size);
   for (const CddTuple& tuple : list) race.challenge(tuple.triangle);
-  const Winner winner = race.winner();
+  const Winner winner = race.finding().winner;
   return signed_by_base(surface, winner.number, winner.foot);
 }
 

@@ -2,6 +2,7 @@
 // spikes, saddles, vertices of high valence. No error is allowed, and the truth here is exact.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cdfr/field/field.h"
@@ -59,24 +60,40 @@ TEST(WrongSign, WithEveryNamedPolicyAndOption) {
   }
 }
 
-/// A tetrahedron with right angles at the origin; an edge on its bottom is split, and a triangle closes the gap between
-/// the split edge and the whole one. It has that height, along the wall.
-Mesh capped_wedge(double height) {
+/// A tetrahedron with right angles at the origin. An edge of its bottom is split at vertex 4, which lies that much below
+/// it, and a cap on the wall y = 0 fills the gap: convex.
+Mesh capped_wedge(double drop) {
   Mesh mesh;
-  mesh.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {2, 0, height}};
+  mesh.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {2, 0, -drop}};
   mesh.triangles = {{0, 2, 4}, {4, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 4, 1}};
   return mesh;
 }
 
-/// The wedge less the sliver under vertex 4, which the two bottom faces cut off: exact products of a short number and
-/// one of few bits.
-int side_of_capped_wedge(double height, const Vec3& p) {
-  const long double x = p.x, y = p.y, z = p.z, h = height;
-  const long double left = 2 * z - h * x * (1 - y / 4) - (x * y * h) / 4, right = 0;
-  static_cast<void>(right);
-  static_cast<void>(left);
-  const bool above = x + y + z < 4;
-  return x > 0 && y > 0 && z > 0 && above ? -1 : 1;
+/// Exact for x and y of few bits: -1 inside, 0 on the surface, 1 outside.
+int side_of_capped_wedge(double drop, const Vec3& p) {
+  const long double x = p.x, y = p.y, z = p.z, slope = static_cast<long double>(drop) / 2;
+  const long double beyond = 4 - x - y;
+  const long double least = std::min({x, y, beyond - z, z + slope * x, z + slope * beyond});
+  return least > 0 ? -1 : (least < 0 ? 1 : 0);
+}
+
+TEST(WrongSign, CapsOfHeightZeroAndAlmostZero) {
+  for (const double drop : {0.0, 1e-16, 0x1p-40, 1e-60, 1e-3}) {
+    const Field field = Field::build(capped_wedge(drop).view()).value();
+    EXPECT_TRUE(field.report().closed());
+    EXPECT_EQ(field.report().embedded(), drop > 0) << sign_reason(field.report());
+    test::Random random(11);
+    int wrong = 0;
+    for (int i = 0; i < 10000; ++i) {
+      const auto coarse = [&] { return (static_cast<double>(random.below(1280)) - 128) / 256; };
+      const auto tiny = [&] { return std::ldexp(random.between(-1, 1), -static_cast<int>(random.below(60))); };
+      const Vec3 p{coarse(), random.below(2) == 0 ? 0 : coarse(), random.below(4) == 0 ? -drop / 2 : tiny()};
+      const int side = side_of_capped_wedge(drop, p);
+      const double d = field.distance(p);
+      wrong += side < 0 ? !(d < 0) : (side > 0 ? !(d > 0) : !(std::fabs(d) <= 0x1p-88));
+    }
+    EXPECT_EQ(wrong, 0) << drop;
+  }
 }
 
 }  // namespace

@@ -58,9 +58,9 @@ TEST(Query, BruteForceLooksAwayOnlyFromLosers) {
     test::Random random(4);
     for (int i = 0; i < 500; ++i) {
       const Vec3 p = i % 3 == 0 ? mesh.vertices[random.below(mesh.vertices.size())] : random.in(box);
-      Race race(p, field.data().triangles);
+      Race race(p, field.data().triangles, size_of(field.data(), p));
       for (std::uint32_t slot = 0; slot < field.data().triangles.size(); ++slot) race.challenge(slot);
-      const Winner all = race.winner(), found = find_winner_brute(field.data(), p);
+      const Winner all = race.finding().winner, found = find_closest_brute(field.data(), p).winner;
       EXPECT_EQ(found.slot, all.slot);
       EXPECT_EQ(found.foot.squared, all.foot.squared);
     }

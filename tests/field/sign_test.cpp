@@ -119,6 +119,40 @@ TEST(Sign, WindingOnAnOpenMeshUnlessAskedOtherwise) {
   EXPECT_LT(Field::build(open.view(), options).value().distance({0.3, 0.5, 0.5}), 0);
 }
 
+Mesh flat_tetrahedron(double height) {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0.25, 1, 0}, {0.375, 0.25, height}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  return mesh;
+}
+
+TEST(Sign, IsThatOfTheTrulyClosestFaceWhereTwoTieButForRounding) {
+  // Straight above and below thin solids both sides are equally far, to the last bit of the kernel.
+  for (const int k : {-30, -40, -60, -100, -106, -110, -150}) {
+    const Mesh mesh = with_far_cube(flat_tetrahedron(std::ldexp(1.0, k)), 4);
+    const Field field = Field::build(mesh.view()).value();
+    test::Random random(5);
+    for (int i = 0; i < 3000; ++i) {
+      const double off = std::ldexp(random.between(0.5, 1), -static_cast<int>(random.below(20)));
+      Vec3 p{random.between(-1, 2), random.between(-1, 2), i % 2 == 0 ? off : -off};
+      if (i % 3 == 0) p = {random.between(0, 1), 0, p.z};
+      EXPECT_GT(field.distance(p), 0) << k << ": " << p.x << ' ' << p.y << ' ' << p.z;
+    }
+  }
+}
+
+TEST(Sign, IsZeroExactlyOnFacesEvenNearTheirEdges) {
+  Mesh mesh = flat_tetrahedron(1);
+  const Field field = Field::build(mesh.view()).value();
+  for (int k = 30; k <= 280; ++k) {
+    EXPECT_EQ(field.distance({0.5, std::ldexp(1.0, -k), 0}), 0) << k;
+    EXPECT_EQ(field.distance({0.5, std::ldexp(0.75, -k), 0}), 0) << k;
+    EXPECT_GT(field.distance({0.5, -std::ldexp(1.0, -k), 0}), 0) << k;
+    EXPECT_GT(field.distance({0.5, 0, -std::ldexp(1.0, -k)}), 0) << k;
+    EXPECT_LT(field.distance({0.375, std::ldexp(1.0, -k), std::ldexp(1.0, -k)}), 0) << k;
+  }
+}
+
 TEST(Sign, LeavesThatNothingCrossesKnowTheirSide) {
   const Mesh mesh = test::sphere_mesh(4);
   const Field field = Field::build(mesh.view()).value();

@@ -1,16 +1,22 @@
 #include "cdfr/mesh/audit.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "audit_report.h"
 #include "byte_sink.h"
+#include "cdfr/export/write.h"
 #include "cdfr/mesh/read.h"
+#include "cdfr/mesh/weld.h"
 #include "input.h"
+#include "interrupt.h"
 #include "json_report.h"
 #include "number_text.h"
+#include "output_target.h"
 #include "settings.h"
+#include "steering.h"
 #include "stop.h"
 #include "terminal_text.h"
 #include "text_report.h"
@@ -23,7 +29,8 @@ namespace {
 constexpr std::size_t most_names_shown = 12;
 
 struct Arguments {
-  std::string input;
+  std::string input, output;
+  std::optional<double> weld;
   Settings settings;
 };
 
@@ -64,16 +71,62 @@ std::string audit_text(const Arguments& arguments, const Mesh& mesh, const MeshR
   return text.text();
 }
 
+Json weld_json(const Arguments& arguments, const Welded& welded, const MeshReport& after) {
+  return {{"tolerance", *arguments.weld},
+          {"merged_vertices", welded.report.merged_vertices},
+          {"collapsed_triangles", welded.report.collapsed_triangles},
+          {"largest_move", welded.report.largest_move},
+          {"output", arguments.output},
+          {"audit", json_of(after)}};
+}
+
+std::string weld_text(const Arguments& arguments, const Welded& welded, const MeshReport& after) {
+  TextReport text("welded within " + short_text(*arguments.weld) + after_number(arguments.settings.unit) +
+                  ", written to " + terminal_text(arguments.output));
+  text.line("vertices merged", count_text(welded.report.merged_vertices));
+  text.line("triangles collapsed", count_text(welded.report.collapsed_triangles) + ", left out");
+  text.line("largest move", short_text(welded.report.largest_move) + after_number(arguments.settings.unit));
+  add_counts(after, text);
+  text.line("sign that fits", sign_text(after.sign()) + (": " + sign_reason(after)));
+  return text.text();
+}
+
+/// The mesh on disk stays as it is; what was welded is told and written elsewhere.
+Welded write_welded(const Arguments& arguments, const Mesh& mesh) {
+  Steering steering(arguments.settings, "welding");
+  Welded welded = need(weld(mesh, *arguments.weld, steering.run()), arguments.input);
+  const DeferInterrupts defer;
+  need(write_mesh(welded.mesh.view(), arguments.output), arguments.output);
+  stop_if_interrupted();
+  return welded;
+}
+
+MeshReport audited(const Arguments& arguments, const Mesh& mesh) {
+  Steering steering(arguments.settings, "auditing");
+  return need(audit(mesh.view(), steering.run()), arguments.input);
+}
+
 void audit_file(const Arguments& arguments) {
+  if (arguments.weld.has_value() == arguments.output.empty())
+    stop_usage("--weld TOL and -o FILE go together");
+  if (arguments.weld) check_target(arguments.output, {".stl", ".ply", ".obj"});
   if (is_saved_field(arguments.input)) {
     stop_failed(arguments.input, "is a saved field; audit takes a mesh");
   }
   const Mesh mesh = need(read_mesh(arguments.input), arguments.input);
-  const MeshReport report = need(audit(mesh.view()), arguments.input);
+  const MeshReport report = audited(arguments, mesh);
+  Json json = audit_json(arguments, mesh, report);
+  std::string text = audit_text(arguments, mesh, report);
+  if (arguments.weld) {
+    const Welded welded = write_welded(arguments, mesh);
+    const MeshReport after = audited(arguments, welded.mesh);
+    json["weld"] = weld_json(arguments, welded, after);
+    text += weld_text(arguments, welded, after);
+  }
   if (arguments.settings.json) {
-    print_json(audit_json(arguments, mesh, report));
-  } else {
-    print_text(audit_text(arguments, mesh, report));
+    print_json(json);
+  } else if (!(arguments.weld && arguments.settings.quiet)) {
+    print_text(text);
   }
 }
 
@@ -83,9 +136,16 @@ void add_audit(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* verb = program.add_subcommand("audit", "Say what a mesh is before anyone measures to it");
   verb->add_option("MESH", arguments->input, "STL, OBJ, PLY, glTF or GLB")->required();
+  verb->add_option_function<double>(
+          "--weld", [arguments](double tolerance) { arguments->weld = tolerance; },
+          "Bring together vertices within this distance, tell what changed, and write the mesh to -o")
+      ->type_name("TOL");
+  verb->add_option("-o,--output", arguments->output, "Welded mesh to write (.stl, .ply, .obj)")
+      ->type_name("FILE");
   add_report_options(*verb, arguments->settings);
+  add_threads_option(*verb, arguments->settings);
   add_unit_option(*verb, arguments->settings);
-  verb->footer("Example:\n  cdfr audit part.stl");
+  verb->footer("Examples:\n  cdfr audit part.stl\n  cdfr audit cracked.stl --weld 0.01 -o welded.stl");
   verb->callback([arguments] { audit_file(*arguments); });
 }
 
