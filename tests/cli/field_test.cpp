@@ -16,8 +16,10 @@ TEST_F(FieldTest, AuditHasAllCounts) {
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_EQ(outcome.errors, "");
   const json report = outcome.json();
-  expect_keys(report, {"input", "vertices", "open_edges", "nonmanifold_edges", "flipped_edges",
-                       "nonmanifold_vertices", "degenerate_triangles", "duplicate_triangles", "components"});
+  expect_keys(report,
+              {"input", "vertices", "open_edges", "nonmanifold_edges", "flipped_edges", "unbalanced_edges",
+               "nonmanifold_vertices", "degenerate_triangles", "duplicate_triangles", "touching_triangles",
+               "components", "turned_shells", "embedded", "sign_text"});
   EXPECT_EQ(report["schema"], 1);
   EXPECT_EQ(report["unit"], "mm");
   EXPECT_EQ(report["vertices"], 8);
@@ -41,6 +43,61 @@ TEST_F(FieldTest, AuditNamesTheSignAndWarns) {
   EXPECT_EQ(inward["turned_shells"], 1);
   EXPECT_EQ(inward["warnings"].size(), 2U);
   EXPECT_NE(run({"audit", path("inward.obj")}).output.find("inward"), std::string::npos);
+}
+
+TEST_F(FieldTest, TheSignThatWasChosenIsToldWithItsReason) {
+  put("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\n");
+  const Outcome built = run({"build", path("open.obj"), "-o", path("open.cdfr"), "--json"});
+  ASSERT_EQ(built.status, 0) << built.errors;
+  EXPECT_EQ(built.errors, "note: sign by winding: 3 open edges\n");
+  EXPECT_EQ(built.json()["sign"], "winding");
+  EXPECT_EQ(built.json()["audit"]["open_edges"], 3);
+  const json saved = run({"info", path("open.cdfr"), "--json", "--quiet"}).json();
+  EXPECT_EQ(saved["audit"], built.json()["audit"]);
+  EXPECT_EQ(run({"info", path("open.obj"), "--json", "--sign", "auto", "--quiet"}).errors, "");
+  EXPECT_EQ(run({"info", path("open.obj"), "--json", "--sign", "winding"}).errors, "");
+}
+
+TEST_F(FieldTest, FlipTurnsAMeshThatIsInsideOut) {
+  put("inward.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n");
+  put("p.csv", "0.2,0.2,0.2\n");
+  const auto inside = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"query", path("inward.obj"), "--points", path("p.csv"),
+                                   "-o",    path("out.csv"),    "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words).json();
+  };
+  EXPECT_EQ(inside({})["inside"], 0);
+  EXPECT_EQ(inside({})["sign"], "winding");
+  EXPECT_EQ(inside({"--flip"})["inside"], 1);
+  EXPECT_EQ(inside({"--flip"})["sign"], "pseudonormal");
+}
+
+TEST_F(FieldTest, RepairIsAskedForAndCounted) {
+  // A tetrahedron whose last face has corners of its own, a little off.
+  const std::string text =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1.0001 0 0\nv 0 1 0.0001\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf "
+      "5 6 7\n";
+  put("cracked.obj", text);
+  const Outcome outcome =
+      run({"audit", path("cracked.obj"), "--weld", "0.001", "-o", path("welded.obj"), "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const json report = outcome.json();
+  EXPECT_EQ(report["closed"], false);
+  EXPECT_EQ(report["weld"]["merged_vertices"], 2);
+  EXPECT_EQ(report["weld"]["collapsed_triangles"], 0);
+  EXPECT_EQ(report["weld"]["audit"]["embedded"], true);
+  EXPECT_EQ(text_of("cracked.obj"), text);
+  EXPECT_EQ(run({"audit", path("welded.obj"), "--json"}).json()["closed"], true);
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--weld", "0.001"},
+                                               {"-o", path("x.obj")},
+                                               {"--weld", "far", "-o", path("x.obj")}}) {
+    std::vector<std::string> words{"audit", path("cracked.obj")};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(run(words).status, 2);
+  }
+  EXPECT_EQ(run({"audit", path("cracked.obj"), "--weld", "-1", "-o", path("x.obj")}).status, 2);
+  EXPECT_FALSE(exists("x.obj"));
 }
 
 TEST_F(FieldTest, InfoHasTheDocumentedKeys) {

@@ -1,7 +1,7 @@
 #include "cdfr/mesh/audit.h"
 
+#include <limits>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +13,7 @@
 #include "input.h"
 #include "interrupt.h"
 #include "json_report.h"
+#include "number_option.h"
 #include "number_text.h"
 #include "output_target.h"
 #include "settings.h"
@@ -30,7 +31,8 @@ constexpr std::size_t most_names_shown = 12;
 
 struct Arguments {
   std::string input, output;
-  std::optional<double> weld;
+  double weld = 0;
+  const CLI::Option* welds = nullptr;  ///< --weld
   Settings settings;
 };
 
@@ -72,7 +74,7 @@ std::string audit_text(const Arguments& arguments, const Mesh& mesh, const MeshR
 }
 
 Json weld_json(const Arguments& arguments, const Welded& welded, const MeshReport& after) {
-  return {{"tolerance", *arguments.weld},
+  return {{"tolerance", arguments.weld},
           {"merged_vertices", welded.report.merged_vertices},
           {"collapsed_triangles", welded.report.collapsed_triangles},
           {"largest_move", welded.report.largest_move},
@@ -81,7 +83,7 @@ Json weld_json(const Arguments& arguments, const Welded& welded, const MeshRepor
 }
 
 std::string weld_text(const Arguments& arguments, const Welded& welded, const MeshReport& after) {
-  TextReport text("welded within " + short_text(*arguments.weld) + after_number(arguments.settings.unit) +
+  TextReport text("welded within " + short_text(arguments.weld) + after_number(arguments.settings.unit) +
                   ", written to " + terminal_text(arguments.output));
   text.line("vertices merged", count_text(welded.report.merged_vertices));
   text.line("triangles collapsed", count_text(welded.report.collapsed_triangles) + ", left out");
@@ -94,7 +96,7 @@ std::string weld_text(const Arguments& arguments, const Welded& welded, const Me
 /// The mesh on disk stays as it is; what was welded is told and written elsewhere.
 Welded write_welded(const Arguments& arguments, const Mesh& mesh) {
   Steering steering(arguments.settings, "welding");
-  Welded welded = need(weld(mesh, *arguments.weld, steering.run()), arguments.input);
+  Welded welded = need(weld(mesh, arguments.weld, steering.run()), arguments.input);
   const DeferInterrupts defer;
   need(write_mesh(welded.mesh.view(), arguments.output), arguments.output);
   stop_if_interrupted();
@@ -107,9 +109,9 @@ MeshReport audited(const Arguments& arguments, const Mesh& mesh) {
 }
 
 void audit_file(const Arguments& arguments) {
-  if (arguments.weld.has_value() == arguments.output.empty())
-    stop_usage("--weld TOL and -o FILE go together");
-  if (arguments.weld) check_target(arguments.output, {".stl", ".ply", ".obj"});
+  const bool welds = arguments.welds->count() > 0;
+  if (welds == arguments.output.empty()) stop_usage("--weld TOL and -o FILE go together");
+  if (welds) check_target(arguments.output, {".stl", ".ply", ".obj"});
   if (is_saved_field(arguments.input)) {
     stop_failed(arguments.input, "is a saved field; audit takes a mesh");
   }
@@ -117,7 +119,7 @@ void audit_file(const Arguments& arguments) {
   const MeshReport report = audited(arguments, mesh);
   Json json = audit_json(arguments, mesh, report);
   std::string text = audit_text(arguments, mesh, report);
-  if (arguments.weld) {
+  if (welds) {
     const Welded welded = write_welded(arguments, mesh);
     const MeshReport after = audited(arguments, welded.mesh);
     json["weld"] = weld_json(arguments, welded, after);
@@ -125,7 +127,7 @@ void audit_file(const Arguments& arguments) {
   }
   if (arguments.settings.json) {
     print_json(json);
-  } else if (!(arguments.weld && arguments.settings.quiet)) {
+  } else if (!(welds && arguments.settings.quiet)) {
     print_text(text);
   }
 }
@@ -136,10 +138,9 @@ void add_audit(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* verb = program.add_subcommand("audit", "Say what a mesh is before anyone measures to it");
   verb->add_option("MESH", arguments->input, "STL, OBJ, PLY, glTF or GLB")->required();
-  verb->add_option_function<double>(
-          "--weld", [arguments](double tolerance) { arguments->weld = tolerance; },
-          "Bring together vertices within this distance, tell what changed, and write the mesh to -o")
-      ->type_name("TOL");
+  arguments->welds =
+      add_number(*verb, "--weld", arguments->weld, {0, std::numeric_limits<double>::max()},
+                 "Bring together vertices within this distance, tell what changed, and write the mesh to -o");
   verb->add_option("-o,--output", arguments->output, "Welded mesh to write (.stl, .ply, .obj)")
       ->type_name("FILE");
   add_report_options(*verb, arguments->settings);

@@ -1,0 +1,60 @@
+// Contours of fields whose sign comes from winding numbers: of open meshes, where the signed distance jumps
+// off the surface and the contour ends there, and of bodies that cross.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "contour/case.h"
+#include "contour/coverage.h"
+#include "support/joined.h"
+#include "support/meshes.h"
+
+namespace cdfr {
+namespace {
+
+Mesh open_box() {
+  Mesh mesh = test::box_mesh({{0, 0, 0}, {1, 1, 1}});
+  mesh.triangles.erase(mesh.triangles.begin() + 2, mesh.triangles.begin() + 4);  // the top
+  return mesh;
+}
+
+/// True points whose own distance is the contour's: the way from the foot did not come to the other side.
+void expect_whole(const test::Case& part, double distance, double tolerance) {
+  const test::Contour contour = test::contour_of(part.field, distance, tolerance);
+  std::vector<Vec3> truth;
+  for (const Vec3& x : test::true_contour(part, distance, test::scaled(part.field.bounds(), 2.5), 20000, 7)) {
+    if (std::fabs(part.brute.closest(x).distance - distance) < 1e-12) truth.push_back(x);
+  }
+  ASSERT_GT(truth.size(), 100U) << distance;
+  test::expect_covered(contour, truth);
+  std::size_t ghosts = 0;
+  for (const ContourPoint& p : contour.points) {
+    if (std::isfinite(p.error))
+      ghosts += std::fabs(part.brute.closest(p.position).distance - distance) > p.error + 1e-12;
+  }
+  EXPECT_EQ(ghosts, 0U) << distance;
+  EXPECT_LE(contour.report.undecided, contour.points.size() / 100) << distance;
+}
+
+TEST(ContourOfOpenMesh, EndsWhereTheSignDoes) {
+  const test::Case part(open_box());
+  ASSERT_EQ(part.field.sign(), Sign::winding);
+  for (const double distance : {-0.3, -0.1, 0.05, 0.25}) expect_whole(part, distance, 0.03);
+}
+
+TEST(ContourOfOpenMesh, AtZeroIsTheSurface) {
+  const test::Case part(open_box());
+  const test::Contour contour = test::contour_of(part.field, 0, 0.05);
+  for (const ContourPoint& p : contour.points) EXPECT_EQ(part.brute.closest(p.position).distance, 0);
+  EXPECT_GT(contour.points.size(), 1000U);
+  EXPECT_EQ(contour.report.undecided, 0U);
+}
+
+TEST(ContourOfCrossingBodies, GoesAroundInnerWallsToo) {
+  const Mesh cube = test::box_mesh({{0, 0, 0}, {1, 1, 1}});
+  const test::Case part(test::joined(cube, test::moved(cube, {0.5, 0.25, 0.375})));
+  for (const double distance : {-0.15, -0.05, 0.125}) expect_whole(part, distance, 0.03);
+}
+
+}  // namespace
+}  // namespace cdfr
