@@ -192,7 +192,9 @@ Foot measure(const Vec3& p, const TriangleShape& triangle) noexcept {
   if (projects_inside(p, triangle)) return on_face(p, triangle);
   Foot foot = on_boundary(p, triangle);
   // A face's border belongs to the edges as far as projections are doubtful: 2^-94 R.
-  const double doubt = 0x1p-90 * sum_of_magnitudes(minus(p, triangle.vertices[0]));
+  const auto& v = triangle.vertices;
+  const double doubt = 0x1p-90 * (sum_of_magnitudes(minus(p, v[0])) + sum_of_magnitudes(minus(v[1], v[0])) +
+                                  sum_of_magnitudes(minus(v[2], v[0])));
   const bool has_area = rounded(triangle.normal) != Vec3{};
   if (foot.squared.hi > 0 && foot.squared.hi <= doubt * doubt && has_area && lies_on(p, triangle)) {
     foot.offset = {};

@@ -22,7 +22,8 @@ class BlockSolid {
   using Filled = std::function<bool(int, int, int)>;
 
   /// Cell (i, j, k) lies between planes i and i + 1 along x, and so on; planes ascend.
-  BlockSolid(Planes x, Planes y, Planes z, const Filled& filled) : planes_{std::move(x), std::move(y), std::move(z)} {
+  BlockSolid(Planes x, Planes y, Planes z, const Filled& filled)
+      : planes_{std::move(x), std::move(y), std::move(z)} {
     for (int i = 0; i < cells(0); ++i) {
       for (int j = 0; j < cells(1); ++j) {
         for (int k = 0; k < cells(2); ++k) {
@@ -109,10 +110,12 @@ class BlockSolid {
 };
 
 inline BlockSolid block(const Box& box) {
-  return {{box.lo.x, box.hi.x}, {box.lo.y, box.hi.y}, {box.lo.z, box.hi.z}, [](int, int, int) { return true; }};
+  return {
+      {box.lo.x, box.hi.x}, {box.lo.y, box.hi.y}, {box.lo.z, box.hi.z}, [](int, int, int) { return true; }};
 }
 
-/// In the grown box, on a plane of the grid, or beside one by a size of any order down to 2^-70 of the solid's.
+/// In the grown box, on a plane of the grid, or beside one by a size of any order down to 2^-70 of the
+/// solid's.
 inline Vec3 point_near(const BlockSolid& solid, Random& random) {
   const Box around = scaled(solid.box(), 1.5);
   const double size = longest(solid.box());

@@ -1,8 +1,9 @@
-// Sheets that are nearer to each other than a cell, a voxel or a float: grids fuse them, flood fills leak through them,
-// and a normal of the wrong sheet turns the sign.
+// Sheets that are nearer to each other than a cell, a voxel or a float: grids fuse them, flood fills leak
+// through them, and a normal of the wrong sheet turns the sign.
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
+#include <cstdint>
 
 #include "cdfr/field/field.h"
 #include "faults/block_solid.h"

@@ -1,9 +1,10 @@
-// Outside its box, an engine that answers with the distance to the box and a constant guesses; far away, one that works
-// in float, or squares what it should not, loses the value or its sign.
+// Outside its box, an engine that answers with the distance to the box and a constant guesses; far away, one
+// that works in float, or squares what it should not, loses the value or its sign.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "cdfr/field/field.h"
 #include "faults/block_solid.h"
@@ -30,6 +31,8 @@ TEST(GuessOutside, IsTheDistanceToTheMeshAndNotToTheBox) {
   for (const double margin : {0.0, 0.05, 1.0}) {
     BuildOptions options;
     options.margin = margin;
+    options.max_triangles_per_leaf = 1;
+    options.max_level = 2;
     const Field field = Field::build(solid.mesh().view(), options).value();
     test::Random random(1);
     for (const double factor : {1.001, 1.5, 4.0, 100.0}) {

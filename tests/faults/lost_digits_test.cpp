@@ -1,4 +1,5 @@
-// Large parts with fine detail, far origins, thin walls and odd units: promise 1 holds, or the range is refused by name.
+// Large parts with fine detail, far origins, thin walls and odd units: promise 1 holds, or the range is
+// refused by name.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -40,9 +41,10 @@ TEST(LostDigits, AMillionFromTheOrigin) {
 
 TEST(LostDigits, WallsOfAMillionthNearAndFarFromTheOrigin) {
   for (const double at : {0.0, 1.0, -1e3, 1e6}) {
-    expect_right(test::BlockSolid({at, at + 1e-6, at + 1, at + 1 + 1e-6}, {at, at + 1}, {at, at + 1e-6, at + 1},
-                                  [](int i, int, int k) { return i != 1 || k == 0; }),
-                 4);
+    expect_right(
+        test::BlockSolid({at, at + 1e-6, at + 1, at + 1 + 1e-6}, {at, at + 1}, {at, at + 1e-6, at + 1},
+                         [](int i, int, int k) { return i != 1 || k == 0; }),
+        4);
   }
 }
 
@@ -125,8 +127,8 @@ TEST(LostDigits, TinyQueriesRoundTheOriginAlone) {
 TEST(LostDigits, BeyondTheRangeIsRefusedByName) {
   const Mesh good = test::block({{1, 1, 1}, {2, 2, 2}}).mesh();
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (const double bad : {std::nextafter(0x1p200, infinity), -1e61, 1e300, std::nextafter(0x1p-200, 0.0), -1e-61,
-                           5e-324, -1e-310, 1e-300}) {
+  for (const double bad : {std::nextafter(0x1p200, infinity), -1e61, 1e300, std::nextafter(0x1p-200, 0.0),
+                           -1e-61, 5e-324, -1e-310, 1e-300}) {
     for (std::uint32_t vertex : {0U, 5U}) {
       Mesh mesh = good;
       mesh.vertices[vertex].y = bad;

@@ -1,5 +1,5 @@
-// Offsets that lose their sharp edges and corners, or invent sheets where a shape comes near itself. Contours are points
-// here; closed offset meshes are not part of this file.
+// Offsets that lose their sharp edges and corners, or invent sheets where a shape comes near itself. Contours
+// are points here; closed offset meshes are not part of this file.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,7 +50,8 @@ void expect_sharp(const std::vector<ContourPoint>& points, const Box& box, doubl
 }
 
 /// The closed form says that each point is where it claims to be.
-void expect_no_ghost(const std::vector<ContourPoint>& points, const test::BlockSolid& solid, double distance) {
+void expect_no_ghost(const std::vector<ContourPoint>& points, const test::BlockSolid& solid,
+                     double distance) {
   ASSERT_FALSE(points.empty());
   for (const ContourPoint& p : points) {
     ASSERT_TRUE(std::isfinite(p.error));
@@ -66,8 +67,9 @@ TEST(LostEdge, AnInnerOffsetOfACubeKeepsItsCornersAndEdges) {
     const double tolerance = 0.04;
     const std::vector<ContourPoint> points = contour(field, -depth, tolerance);
     const Box box = solid.box();
-    expect_sharp(points, {{box.lo.x + depth, box.lo.y + depth, box.lo.z + depth},
-                          {box.hi.x - depth, box.hi.y - depth, box.hi.z - depth}},
+    expect_sharp(points,
+                 {{box.lo.x + depth, box.lo.y + depth, box.lo.z + depth},
+                  {box.hi.x - depth, box.hi.y - depth, box.hi.z - depth}},
                  tolerance);
     expect_no_ghost(points, solid, -depth);
   }
@@ -80,7 +82,8 @@ TEST(LostEdge, AnOuterOffsetOfACubeReachesRoundItsCorners) {
   const double t = 0.2, tolerance = 0.05, out = t / std::sqrt(3.0);
   const std::vector<ContourPoint> points = contour(field, t, tolerance);
   for (unsigned which = 0; which < 8; ++which) {
-    EXPECT_LE(nearest(points, corner_of({{-out, -out, -out}, {1 + out, 1 + out, 1 + out}}, which)), tolerance);
+    EXPECT_LE(nearest(points, corner_of({{-out, -out, -out}, {1 + out, 1 + out, 1 + out}}, which)),
+              tolerance);
   }
   expect_no_ghost(points, solid, t);
 }
@@ -88,7 +91,8 @@ TEST(LostEdge, AnOuterOffsetOfACubeReachesRoundItsCorners) {
 /// A cavity is outside, so its positive offset is a smaller cube with sharp corners.
 TEST(LostEdge, AnOuterOffsetIntoACavityKeepsItsCornersAndEdges) {
   const test::Planes planes{-1, 0, 1, 2};
-  const test::BlockSolid solid(planes, planes, planes, [](int i, int j, int k) { return i != 1 || j != 1 || k != 1; });
+  const test::BlockSolid solid(planes, planes, planes,
+                               [](int i, int j, int k) { return i != 1 || j != 1 || k != 1; });
   const Field field = Field::build(solid.mesh().view()).value();
   const double t = 0.3, tolerance = 0.06;
   const std::vector<ContourPoint> points = contour(field, t, tolerance);
@@ -98,17 +102,20 @@ TEST(LostEdge, AnOuterOffsetIntoACavityKeepsItsCornersAndEdges) {
 
 /// Along the inner edge of an angle the outer offset has a sharp valley.
 TEST(LostEdge, AnOuterOffsetOfAnAngleKeepsItsValley) {
-  const test::BlockSolid solid({0, 0.2, 1}, {0, 0.2, 1}, unit, [](int i, int j, int) { return i == 0 || j == 0; });
+  const test::BlockSolid solid({0, 0.2, 1}, {0, 0.2, 1}, unit,
+                               [](int i, int j, int) { return i == 0 || j == 0; });
   const Field field = Field::build(solid.mesh().view()).value();
   const double t = 0.25, tolerance = 0.04;
   const std::vector<ContourPoint> points = contour(field, t, tolerance);
-  for (const double z : {0.0, 0.13, 0.5, 0.77, 1.0}) EXPECT_LE(nearest(points, {0.2 + t, 0.2 + t, z}), tolerance);
+  for (const double z : {0.0, 0.13, 0.5, 0.77, 1.0})
+    EXPECT_LE(nearest(points, {0.2 + t, 0.2 + t, z}), tolerance);
   expect_no_ghost(points, solid, t);
 }
 
 /// A slot of 0.2 between two walls: an offset above 0.1 has no sheet in it, one below has two.
 TEST(LostEdge, NoGhostsWhereTheShapeComesNearItself) {
-  const test::BlockSolid fork({0, 0.4, 0.6, 1}, {0, 0.2, 1}, unit, [](int i, int j, int) { return i != 1 || j == 0; });
+  const test::BlockSolid fork({0, 0.4, 0.6, 1}, {0, 0.2, 1}, unit,
+                              [](int i, int j, int) { return i != 1 || j == 0; });
   const Field field = Field::build(fork.mesh().view()).value();
   const double tolerance = 0.04;
   const auto in_slot = [](const ContourPoint& p) {
@@ -127,7 +134,8 @@ TEST(LostEdge, NoGhostsWhereTheShapeComesNearItself) {
 
 /// Inside, two arms that meet: the inner offset above half an arm's width is in the foot alone.
 TEST(LostEdge, NoGhostsInWallsThinnerThanTheOffset) {
-  const test::BlockSolid fork({0, 0.2, 0.8, 1}, {0, 0.6, 1}, unit, [](int i, int j, int) { return i != 1 || j == 0; });
+  const test::BlockSolid fork({0, 0.2, 0.8, 1}, {0, 0.6, 1}, unit,
+                              [](int i, int j, int) { return i != 1 || j == 0; });
   const Field field = Field::build(fork.mesh().view()).value();
   for (const double depth : {0.1 + 1e-6, 0.15, 0.25}) {
     const std::vector<ContourPoint> points = contour(field, -depth, 0.03);

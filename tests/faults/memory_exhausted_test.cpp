@@ -1,10 +1,14 @@
-// Options that multiply cells until the machine is out of memory, and batches that need memory for every point.
+// Options that multiply cells until the machine is out of memory, and batches that need memory for every
+// point.
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
+#include <span>
 #include <vector>
 
 #include "cdfr/contour/contour.h"
@@ -36,7 +40,9 @@ namespace cdfr {
 namespace {
 
 /// What no field of so small a mesh may exceed, at any depth: 2 MiB and 64 KiB a triangle.
-std::uint64_t bound_of(const Mesh& mesh) { return (2U << 20) + (std::uint64_t{64} << 10) * mesh.triangles.size(); }
+std::uint64_t bound_of(const Mesh& mesh) {
+  return (2U << 20) + (std::uint64_t{64} << 10) * mesh.triangles.size();
+}
 
 /// One level after another, so that an octree without bounds fails here before it takes the machine's memory.
 void expect_bounded(const Mesh& mesh) {
@@ -46,19 +52,22 @@ void expect_bounded(const Mesh& mesh) {
     options.max_triangles_per_leaf = 1;
     options.max_level = level;
     const Stats stats = Field::build(mesh.view(), options).value().stats();
-    ASSERT_LE(stats.bytes, bound_of(mesh)) << mesh.triangles.size() << " triangles, level " << level << ", before it "
-                                           << last;
+    ASSERT_LE(stats.bytes, bound_of(mesh))
+        << mesh.triangles.size() << " triangles, level " << level << ", before it " << last;
     last = stats.bytes;
+    if (stats.levels.size() <= static_cast<std::size_t>(level)) break;  // more levels change nothing
   }
 }
 
 TEST(MemoryExhausted, ByDepthOverACube) { expect_bounded(test::box_mesh({{0, 0, 0}, {1, 1, 1}})); }
 
-TEST(MemoryExhausted, ByDepthOverACubeOffTheGrid) { expect_bounded(test::box_mesh({{0.1, 0.2, 0.3}, {1, 1.3, 1.7}})); }
+TEST(MemoryExhausted, ByDepthOverACubeOffTheGrid) {
+  expect_bounded(test::box_mesh({{0.1, 0.2, 0.3}, {1, 1.3, 1.7}}));
+}
 
 TEST(MemoryExhausted, ByDepthOverATetrahedron) { expect_bounded(test::flat_tetrahedron()); }
 
-TEST(MemoryExhausted, ByDepthOverTrianglesThatShareAPoint) { expect_bounded(test::many_fans(40)); }
+TEST(MemoryExhausted, ByDepthOverTrianglesThatShareAPoint) { expect_bounded(test::many_fans(24)); }
 
 TEST(MemoryExhausted, ByDepthAtTheCentreOfASphere) { expect_bounded(test::sphere_mesh(1)); }
 
@@ -142,10 +151,10 @@ class BlockLengths : public PointSink {
   std::size_t longest_ = 0, total_ = 0;
 };
 
-/// A contour a hundred times as long comes in more blocks, not in longer ones.
+/// A contour 25 times as long comes in more blocks, not in longer ones.
 TEST(MemoryExhausted, NotByLongContours) {
   const Field field = Field::build(test::sphere_mesh(2).view()).value();
-  for (const double tolerance : {0.1, 0.01}) {
+  for (const double tolerance : {0.1, 0.02}) {
     BlockLengths sink;
     ASSERT_TRUE(contour_points(field, -0.2, {tolerance}, sink));
     EXPECT_GT(sink.total(), 0U);

@@ -1,4 +1,5 @@
-// On the surface: the distance is zero, not NaN and not a rounding; the gradient is a unit vector on the outer side.
+// On the surface: the distance is zero, not NaN and not a rounding; the gradient is a unit vector on the
+// outer side.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -53,8 +54,9 @@ TEST(NotANumber, ZeroOnVerticesOfAnyMesh) {
   Mesh heap;
   heap.vertices = {{3, 4, 5}};
   heap.triangles.assign(20, {0, 0, 0});
-  for (const Mesh& mesh : {test::sphere_mesh(3, 1, {0.1, 0.2, 0.3}), open, heap, test::soup(100, {{0, 0, 0}, {1, 1, 1}}, 1),
-                           test::joined(heap, test::soup(30, {{-1e6, 0, 0}, {1e6, 1e-6, 1}}, 2))}) {
+  for (const Mesh& mesh :
+       {test::sphere_mesh(3, 1, {0.1, 0.2, 0.3}), open, heap, test::soup(100, {{0, 0, 0}, {1, 1, 1}}, 1),
+        test::joined(heap, test::soup(30, {{-1e6, 0, 0}, {1e6, 1e-6, 1}}, 2))}) {
     for (const Sign sign : {Sign::automatic, Sign::pseudonormal, Sign::none}) {
       BuildOptions options;
       options.sign = sign;
@@ -76,8 +78,8 @@ TEST(NotANumber, FiniteAllTheWayToTheSurface) {
     const Closest first = field.closest(start);
     for (double share = 1; share > 1e-20; share /= 4) {
       const auto toward = [share](double from, double to) { return to + (from - to) * share; };
-      const Closest c = field.closest({toward(start.x, first.point.x), toward(start.y, first.point.y),
-                                       toward(start.z, first.point.z)});
+      const Closest c = field.closest(
+          {toward(start.x, first.point.x), toward(start.y, first.point.y), toward(start.z, first.point.z)});
       ASSERT_TRUE(std::isfinite(c.distance));
       ASSERT_NEAR(test::length_of(c.gradient), 1, 1e-15);
       ASSERT_NEAR(c.distance, first.distance * share, 1e-12);
@@ -99,7 +101,8 @@ TEST(NotANumber, TheGradientOnTheSurfaceIsTheOuterNormal) {
 
 TEST(NotANumber, OnlyAQueryThatIsNotFiniteGivesNaN) {
   const Field field = Field::build(test::spiky_star(1, 5).view()).value();
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                   infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, infinity, -infinity}) {
     for (const Vec3& p : {Vec3{bad, 0, 0}, Vec3{0, bad, 0}, Vec3{0, 0, bad}, Vec3{bad, bad, bad}}) {
       EXPECT_TRUE(std::isnan(field.distance(p)));

@@ -1,5 +1,5 @@
-/// The distance to triangles with whole coordinates below 2^16, by the definition and in long double: normals are exact
-/// there, however thin the triangle.
+/// The distance to triangles with whole coordinates below 2^16, by the definition and in long double: normals
+/// are exact there, however thin the triangle.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +12,15 @@
 namespace cdfr::test {
 
 inline long double plain_distance(const Vec3& p, const Vec3& from, const Vec3& to) {
-  const Vector e = between(from, to), d = between(from, p);
+  const Offset e = between(from, to), d = between(from, p);
   const long double square = dot(e, e);
   const long double t = square > 0 ? std::clamp(dot(d, e) / square, 0.0L, 1.0L) : 0.0L;
-  const Vector r{d[0] - t * e[0], d[1] - t * e[1], d[2] - t * e[2]};
+  const Offset r{d[0] - t * e[0], d[1] - t * e[1], d[2] - t * e[2]};
   return std::sqrt(dot(r, r));
 }
 
 inline long double plain_distance(const Vec3& p, const std::array<Vec3, 3>& v) {
-  const Vector n = cross(between(v[0], v[1]), between(v[0], v[2]));
+  const Offset n = cross(between(v[0], v[1]), between(v[0], v[2]));
   const long double square = dot(n, n);
   bool over = square > 0;
   long double least = HUGE_VALL;
@@ -35,7 +35,8 @@ inline long double plain_distance(const Vec3& p, const std::array<Vec3, 3>& v) {
 inline long double plain_distance(const Vec3& p, const Mesh& mesh) {
   long double least = HUGE_VALL;
   for (const Triangle& t : mesh.triangles) {
-    least = std::min(least, plain_distance(p, {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}));
+    least =
+        std::min(least, plain_distance(p, {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}));
   }
   return least;
 }

@@ -1,4 +1,5 @@
-/// What an answer must be where the truth is known: within 4 ulp of it, of the right sign, with a unit gradient.
+/// What an answer must be where the truth is known: within 4 ulp of it, of the right sign, with a unit
+/// gradient.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,15 +24,17 @@ inline double allowance(const Box& mesh, const Vec3& p) {
 
 inline double length_of(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
 
-inline bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+inline bool is_finite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
-/// Query coordinates below 2^-300 count as 0, so only a distance above that must have a sign. On the surface the distance
-/// is 0, but for 2^-90 of the sizes where triangles are thinner than that.
+/// Query coordinates below 2^-300 count as 0, so only a distance above that must have a sign. On the surface
+/// the distance is 0, but for 2^-90 of the sizes where triangles are thinner than that.
 inline testing::AssertionResult is_right(const Field& field, const Vec3& p, long double truth) {
   const Closest c = field.closest(p);
   const auto wrong = [&](const char* what) {
-    return testing::AssertionFailure() << what << ": " << c.distance << " for " << static_cast<double>(truth) << " at "
-                                       << p.x << ' ' << p.y << ' ' << p.z;
+    return testing::AssertionFailure() << what << ": " << c.distance << " for " << static_cast<double>(truth)
+                                       << " at " << p.x << ' ' << p.y << ' ' << p.z;
   };
   const long double error = std::fabs(static_cast<long double>(c.distance) - truth);
   if (!(error <= static_cast<long double>(allowance(field.bounds(), p)))) return wrong("distance");

@@ -1,8 +1,11 @@
-// Negative inside, whatever the order of faces, the nesting, or a face that is there twice with both orientations.
+// Negative inside, whatever the order of faces, the nesting, or a face that is there twice with both
+// orientations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
 
 #include "cdfr/field/field.h"
 #include "cdfr/mesh/flip.h"
@@ -96,7 +99,8 @@ TEST(SignConvention, AllFacesReversedAsWellHoldNothing) {
 }
 
 TEST(SignConvention, TheOrderOfFacesAndCornersDoesNotTurnIt) {
-  const test::BlockSolid solid({0, 1, 2}, {0, 1, 2}, {0, 1}, [](int i, int j, int) { return i == 0 || j == 0; });
+  const test::BlockSolid solid({0, 1, 2}, {0, 1, 2}, {0, 1},
+                               [](int i, int j, int) { return i == 0 || j == 0; });
   test::Random random(4);
   for (int round = 0; round < 5; ++round) {
     Mesh mesh = solid.mesh();

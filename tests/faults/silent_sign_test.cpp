@@ -1,9 +1,11 @@
-// Where the sign of a mesh cannot be trusted, the caller is told: what was chosen, why, and how many of what are wrong.
+// Where the sign of a mesh cannot be trusted, the caller is told: what was chosen, why, and how many of what
+// are wrong.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cdfr/field/field.h"
@@ -42,13 +44,14 @@ Mesh turned(Mesh mesh) {
 struct Defect {
   std::string named;  ///< in the reason
   Mesh mesh;
-  std::uint64_t MeshReport::* count;
+  std::uint64_t MeshReport::*count;
 };
 
 std::vector<Defect> defects() {
   const Mesh lower = test::block({{0.25, 0.25, 0.25}, {0.75, 0.75, 0.75}}).mesh();
   const test::BlockSolid by_an_edge({0, 1, 2}, {0, 1, 2}, {0, 1}, [](int i, int j, int) { return i == j; });
-  const test::BlockSolid by_a_corner({0, 1, 2}, {0, 1, 2}, {0, 1, 2}, [](int i, int j, int k) { return i == j && j == k; });
+  const test::BlockSolid by_a_corner({0, 1, 2}, {0, 1, 2}, {0, 1, 2},
+                                     [](int i, int j, int k) { return i == j && j == k; });
   Mesh doubled = cube();
   doubled.triangles.push_back(doubled.triangles[5]);
   return {{"open edge", without_last(cube()), &MeshReport::open_edges},
@@ -76,8 +79,9 @@ TEST(SilentSign, EveryDefectIsNamedAndCountedAndChangesThePolicy) {
 
 TEST(SilentSign, ValidMeshesRaiseNoAlarm) {
   const Mesh inner = test::block({{0.25, 0.25, 0.25}, {0.75, 0.75, 0.75}}).mesh();
-  for (const Mesh& mesh : {cube(), test::spiky_star(2, 1), test::many_fans(104), test::joined(cube(), turned(inner)),
-                           test::joined(cube(), test::moved(cube(), {1 + 1e-9, 0, 0}))}) {
+  for (const Mesh& mesh :
+       {cube(), test::spiky_star(2, 1), test::many_fans(104), test::joined(cube(), turned(inner)),
+        test::joined(cube(), test::moved(cube(), {1 + 1e-9, 0, 0}))}) {
     const Field field = Field::build(mesh.view()).value();
     EXPECT_EQ(field.sign(), Sign::pseudonormal);
     EXPECT_EQ(sign_reason(field.report()), "closed, outward and embedded");

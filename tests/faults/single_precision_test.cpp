@@ -1,11 +1,8 @@
 // Float kernels lose the distance to slivers, to 2e-4 of the size, and give NaN on triangles of no area.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
-#include <vector>
 
 #include "cdfr/field/field.h"
 #include "faults/block_solid.h"
@@ -63,7 +60,8 @@ TEST(SinglePrecision, SliversInAnyPositionToFourUlp) {
     if (i % 2 == 0) {
       const Vec3 v = mesh.vertices[random.below(mesh.vertices.size())];
       const double off = std::ldexp(1.0, static_cast<int>(random.below(20)) - 10);
-      p = {v.x + off * random.between(-1, 1), v.y + off * random.between(-1, 1), v.z + off * random.between(-1, 1)};
+      p = {v.x + off * random.between(-1, 1), v.y + off * random.between(-1, 1),
+           v.z + off * random.between(-1, 1)};
     }
     ASSERT_TRUE(test::is_right(field, p, test::plain_distance(p, mesh)));
   }

@@ -1,5 +1,5 @@
-/// Solids that are star-shaped about the origin, their vertices at whole places of at most 2^10: the side of a point on
-/// the grid of 2^-20 is exact in long double.
+/// Solids that are star-shaped about the origin, their vertices at whole places of at most 2^10: the side of
+/// a point on the grid of 2^-20 is exact in long double.
 #pragma once
 
 #include <array>
@@ -13,16 +13,18 @@
 
 namespace cdfr::test {
 
-using Vector = std::array<long double, 3>;
+using Offset = std::array<long double, 3>;
 
-inline Vector between(const Vec3& from, const Vec3& to) {
-  const auto part = [](double a, double b) { return static_cast<long double>(b) - static_cast<long double>(a); };
+inline Offset between(const Vec3& from, const Vec3& to) {
+  const auto part = [](double a, double b) {
+    return static_cast<long double>(b) - static_cast<long double>(a);
+  };
   return {part(from.x, to.x), part(from.y, to.y), part(from.z, to.z)};
 }
-inline Vector cross(const Vector& u, const Vector& v) {
+inline Offset cross(const Offset& u, const Offset& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
-inline long double dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+inline long double dot(const Offset& u, const Offset& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
 static_assert(std::numeric_limits<long double>::digits >= 60, "the exact sides need a longer type here");
 
@@ -62,13 +64,15 @@ inline Mesh spiky_star(int times, std::uint64_t seed) {
   return mesh;
 }
 
-/// Two apexes of that valence over a ring whose corners go in and out, up and down. Precondition: a multiple of 8.
+/// Two apexes of that valence over a ring whose corners go in and out, up and down. Precondition: a multiple
+/// of 8.
 inline Mesh many_fans(std::uint32_t valence) {
   Mesh mesh;
   const auto quarter = static_cast<double>(valence) / 4;
   for (std::uint32_t i = 0; i < valence; ++i) {
     const double along = 2 * (i % (valence / 4)) / quarter - 1;
-    const std::array<Vec3, 4> sides{Vec3{1, along, 0}, Vec3{-along, 1, 0}, Vec3{-1, -along, 0}, Vec3{along, -1, 0}};
+    const std::array<Vec3, 4> sides{Vec3{1, along, 0}, Vec3{-along, 1, 0}, Vec3{-1, -along, 0},
+                                    Vec3{along, -1, 0}};
     const Vec3 d = sides[i / (valence / 4)];
     const double radius = i % 2 == 0 ? 1000 : 300;
     const double height = i % 4 < 2 ? 40 : -40;

@@ -1,5 +1,5 @@
-// A build that shares a frontier between workers crashes with two of them once the start level is deep, or lets the
-// order of arrival into the result.
+// A build that shares a frontier between workers crashes with two of them once the start level is deep, or
+// lets the order of arrival into the result.
 #include <gtest/gtest.h>
 
 #include "cdfr/field/field.h"

@@ -1,10 +1,10 @@
 // Distance, point, triangle, barycentrics, feature and normal belong to one and the same place.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
+#include <cstddef>
+#include <cstdint>
 
 #include "cdfr/field/field.h"
 #include "faults/plain_distance.h"
@@ -69,7 +69,7 @@ class TornAnswer : public testing::Test {
   }
 
   void check_distance() {
-    const test::Vector offset = test::between(c_.point, p_);
+    const test::Offset offset = test::between(c_.point, p_);
     const auto away = static_cast<double>(std::sqrt(test::dot(offset, offset)));
     ASSERT_NEAR(std::fabs(c_.distance), away, 4 * ulp_);
     ASSERT_NEAR(test::length_of(c_.gradient), 1, 1e-15);

@@ -1,5 +1,5 @@
-// A point whose coordinate lies on a cell's middle plane, face or corner belongs to several cells: an engine that goes
-// down the tree by unlike comparisons reads a list that was not made for it.
+// A point whose coordinate lies on a cell's middle plane, face or corner belongs to several cells: an engine
+// that goes down the tree by unlike comparisons reads a list that was not made for it.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Valid meshes on which engines give the wrong side near edges and vertices: sharp and flat wedges, caps of no height,
-// spikes, saddles, vertices of high valence. No error is allowed, and the truth here is exact.
+// Valid meshes on which engines give the wrong side near edges and vertices: sharp and flat wedges, caps of
+// no height, spikes, saddles, vertices of high valence. No error is allowed, and the truth here is exact.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,8 @@
 namespace cdfr {
 namespace {
 
-/// Counts the points of the grid where the sign is not that of the exact side; zero belongs to the surface alone.
+/// Counts the points of the grid where the sign is not that of the exact side; zero belongs to the surface
+/// alone.
 int wrong_signs(const Mesh& star, int count, std::uint64_t seed, const BuildOptions& options = {}) {
   EXPECT_TRUE(test::is_star(star));
   const Field field = Field::build(star.view(), options).value();
@@ -30,7 +31,8 @@ int wrong_signs(const Mesh& star, int count, std::uint64_t seed, const BuildOpti
 
 TEST(WrongSign, SpikesDentsAndSaddles) {
   for (const int times : {0, 1, 2, 3}) {
-    for (const std::uint64_t seed : {1U, 2U, 3U}) EXPECT_EQ(wrong_signs(test::spiky_star(times, seed), 3000, 4), 0);
+    for (const std::uint64_t seed : {1U, 2U, 3U})
+      EXPECT_EQ(wrong_signs(test::spiky_star(times, seed), 3000, 4), 0);
   }
 }
 
@@ -60,8 +62,8 @@ TEST(WrongSign, WithEveryNamedPolicyAndOption) {
   }
 }
 
-/// A tetrahedron with right angles at the origin. An edge of its bottom is split at vertex 4, which lies that much below
-/// it, and a cap on the wall y = 0 fills the gap: convex.
+/// A tetrahedron with right angles at the origin. An edge of its bottom is split at vertex 4, which lies that
+/// much below it, and a cap on the wall y = 0 fills the gap: convex.
 Mesh capped_wedge(double drop) {
   Mesh mesh;
   mesh.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {2, 0, -drop}};
@@ -86,7 +88,9 @@ TEST(WrongSign, CapsOfHeightZeroAndAlmostZero) {
     int wrong = 0;
     for (int i = 0; i < 10000; ++i) {
       const auto coarse = [&] { return (static_cast<double>(random.below(1280)) - 128) / 256; };
-      const auto tiny = [&] { return std::ldexp(random.between(-1, 1), -static_cast<int>(random.below(60))); };
+      const auto tiny = [&] {
+        return std::ldexp(random.between(-1, 1), -static_cast<int>(random.below(60)));
+      };
       const Vec3 p{coarse(), random.below(2) == 0 ? 0 : coarse(), random.below(4) == 0 ? -drop / 2 : tiny()};
       const int side = side_of_capped_wedge(drop, p);
       const double d = field.distance(p);

@@ -147,6 +147,7 @@ TEST(Sign, IsZeroExactlyOnFacesEvenNearTheirEdges) {
   for (int k = 30; k <= 280; ++k) {
     EXPECT_EQ(field.distance({0.5, std::ldexp(1.0, -k), 0}), 0) << k;
     EXPECT_EQ(field.distance({0.5, std::ldexp(0.75, -k), 0}), 0) << k;
+    EXPECT_EQ(field.distance({std::ldexp(1.0, -k), std::ldexp(1.0, -k), 0}), 0) << k;
     EXPECT_GT(field.distance({0.5, -std::ldexp(1.0, -k), 0}), 0) << k;
     EXPECT_GT(field.distance({0.5, 0, -std::ldexp(1.0, -k)}), 0) << k;
     EXPECT_LT(field.distance({0.375, std::ldexp(1.0, -k), std::ldexp(1.0, -k)}), 0) << k;

@@ -3,13 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 #include "cdfr/field/field.h"
-#include "cdfr/mesh/audit.h"
 #include "cdfr/mesh/flip.h"
-#include "cdfr/mesh/read.h"
 #include "field/field_data.h"
 #include "support/joined.h"
 #include "support/meshes.h"
@@ -111,19 +108,6 @@ TEST(Winding, DecidesTheSignOfBalancedMeshes) {
   pillow.vertices.insert(pillow.vertices.end(), {{2, 0, 0}, {3, 0, 0}, {2, 1, 0}});
   pillow.triangles.insert(pillow.triangles.end(), {{8, 9, 10}, {8, 10, 9}});
   expect_signs_of(pillow, 1000, "a cube and a sheet of two faces");
-}
-
-TEST(Winding, DecidesTheSignOfTheDirtyModels) {
-  const std::filesystem::path folder = std::filesystem::path(CDFR_SHARED_DATA) / "public" / "dirty_pub";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no models in " << folder;
-  int compared = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const Result<Mesh> mesh = read_mesh(entry.path());
-    if (!mesh || !audit(mesh->view())) continue;
-    expect_signs_of(*mesh, 40, entry.path().filename().string());
-    ++compared;
-  }
-  EXPECT_GE(compared, 12);
 }
 
 TEST(Winding, LeavesCarryASideOnlyWhereAllOfThemIsOnIt) {

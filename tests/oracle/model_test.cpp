@@ -1,15 +1,13 @@
 /// Whole models: the field says what brute force says, bit for bit, and both say what exact arithmetic says.
 ///
-/// CDFR_POINTS sets the number of points a model (a twentieth of it on more than 200,000 triangles); without
-/// it the number is small enough for every run of the suite. All points are compared bit for bit; the exact
-/// oracle looks at the first `oracle_points` of them, which hold every kind of point.
+/// All points (point_count.h) are compared bit for bit; the exact oracle looks at the first `oracle_points`
+/// of them, which hold every kind of point.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <iostream>
 #include <optional>
 #include <sstream>
@@ -23,6 +21,7 @@
 #include "oracle/exact_distance.h"
 #include "oracle/exact_side.h"
 #include "oracle/models.h"
+#include "oracle/point_count.h"
 #include "oracle/random.h"
 #include "oracle/samples.h"
 
@@ -31,23 +30,11 @@ namespace {
 
 constexpr std::size_t oracle_points = 1000;
 
-const char* wanted_points() { return std::getenv("CDFR_POINTS"); }
-
-std::size_t point_count(std::size_t triangles) {
-  if (const char* text = wanted_points()) {
-    const std::size_t count = std::strtoull(text, nullptr, 10);
-    return std::max<std::size_t>(9, triangles > 200'000 ? count / 20 : count);
-  }
-  return triangles <= 20'000 ? 300 : 60;
-}
-
 /// A long run takes the field as it comes. Answers do not depend on the depth, and most of a short run would
 /// be spent on building leaves for a handful of points.
 BuildOptions options(std::size_t triangles) {
   BuildOptions result;
-  const char* text = wanted_points();
-  const bool is_short = !text || std::strtoull(text, nullptr, 10) < 1000;
-  if (is_short) result.max_level = triangles <= 20'000 ? 5 : 2;
+  if (short_run()) result.max_level = triangles <= 20'000 ? 5 : 2;
   return result;
 }
 

@@ -28,7 +28,9 @@ Parsed parse(int argc, char** argv) {
       "Checks the sign of the distance at many points of closed, embedded, outward meshes against an exact "
       "oracle. Status 1 if any is wrong, 2 for wrong usage.",
       "signs");
-  app.add_option("--points", options.points, "points in all, shared out among the meshes")
+  double points = static_cast<double>(options.points);  // so that 1e7 is a number
+  app.add_option("--points", points, "points in all, shared out among the meshes")
+      ->check(CLI::Range(1.0, 1e15))
       ->capture_default_str();
   app.add_option("--meshes", options.meshes, "meshes: models and made ones in turn")
       ->check(CLI::Range(1, 1'000'000))
@@ -48,6 +50,7 @@ Parsed parse(int argc, char** argv) {
   app.add_option("--write", options.write, "with --replay: the mesh as .ply or .obj");
   try {
     app.parse(argc, argv);
+    options.points = static_cast<std::uint64_t>(points);
     if (replay.size() == 2 || replay.size() == 3)
       throw CLI::ValidationError("--replay", "takes NAME or NAME X Y Z");
     if (!replay.empty()) options.replay = replay[0];
