@@ -1,6 +1,7 @@
 /// Work on a given number of threads, whose results never depend on that number.
 #pragma once
 
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -11,13 +12,12 @@
 
 namespace cdfr {
 
-/// Nobody has more, and results do not depend on it.
-inline constexpr unsigned most_threads = 1024;
-
-/// Calls work() with that many workers, at most most_threads, for every parallel loop inside.
+/// Calls work() with that many workers, at most as many as the machine has, for every parallel loop inside.
 template <class Work>
 void with_threads(const Run& run, Work work) {
-  const auto threads = static_cast<int>(std::min(run.threads, most_threads));
+  // TBB has no more workers than that, and complains on standard error when asked for them.
+  const auto most = static_cast<unsigned>(tbb::info::default_concurrency());
+  const auto threads = static_cast<int>(std::min(run.threads, most));
   tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
   arena.execute(work);
 }

@@ -66,11 +66,13 @@ struct Query {
 };
 
 /// A query beyond largest_query is drawn in by a power of two: all of the mesh is equally close to it to far
-/// less than an ulp.
-Query admitted(const Vec3& x) noexcept {
+/// less than an ulp. Dust counts where the mesh is the origin alone, which looks the same at any size.
+Query admitted(const FieldData& field, const Vec3& x) noexcept {
   const double size = largest_magnitude(x);
-  if (!(size > largest_query)) return {without_dust(x), 1};
-  const int excess = std::ilogb(size) - std::ilogb(largest_query) + 1;
+  const bool is_origin = field.bounds() == Box{};
+  const bool tiny = is_origin && size < smallest_coordinate && size > 0;
+  if (!(size > largest_query) && !tiny) return {without_dust(x), 1};
+  const int excess = tiny ? std::ilogb(size) : std::ilogb(size) - std::ilogb(largest_query) + 1;
   const Vec3 near{std::ldexp(x.x, -excess), std::ldexp(x.y, -excess), std::ldexp(x.z, -excess)};
   return {without_dust(near), std::ldexp(1.0, excess)};
 }
@@ -250,7 +252,7 @@ Finding find_closest_brute(const FieldData& field, const Vec3& p) noexcept {
 double signed_distance(const FieldData& field, const Vec3& x) noexcept {
   if (!is_finite(x)) return not_a_number;
   const FloatingEnvironment environment;
-  const Query query = admitted(x);
+  const Query query = admitted(field, x);
   int side = 1;
   return signed_by(field, query, find_closest(field, query.p), side);
 }
@@ -258,7 +260,7 @@ double signed_distance(const FieldData& field, const Vec3& x) noexcept {
 double unsigned_distance(const FieldData& field, const Vec3& x) noexcept {
   if (!is_finite(x)) return not_a_number;
   const FloatingEnvironment environment;
-  const Query query = admitted(x);
+  const Query query = admitted(field, x);
   return square_root(find_closest(field, query.p).winner.foot.squared) * query.scale;
 }
 
@@ -271,7 +273,7 @@ Closest closest_point(const FieldData& field, const Vec3& x, Finder finder) noex
     return result;
   }
   const FloatingEnvironment environment;
-  const Query query = admitted(x);
+  const Query query = admitted(field, x);
   const Finding finding =
       finder == Finder::tree ? find_closest(field, query.p) : find_closest_brute(field, query.p);
   const Winner& winner = finding.winner;

@@ -1,5 +1,6 @@
 #include "octree/block_builder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -107,9 +108,15 @@ Block BlockBuilder::build(OpenCell root, std::uint64_t inherited) {
   frontier.push_back({std::move(root), 0});
   while (!frontier.empty() && !progress_.cancelled()) {
     std::vector<Growing> next;
+    std::uint64_t leaves = lists_.size() + frontier.size();  // if nothing splits from here on
+    if (leaves + 7 * frontier.size() > most_leaves_) {
+      std::stable_sort(frontier.begin(), frontier.end(), [](const Growing& a, const Growing& b) {
+        return a.open.triangles > b.open.triangles;
+      });
+    }
     for (Growing& cell : frontier) {
       if (!progress_.poll()) return {};
-      if (!may_split(cell.open)) {
+      if (!may_split(cell.open) || leaves + 7 > most_leaves_) {
         close(std::move(cell));
         continue;
       }
@@ -118,6 +125,7 @@ Block BlockBuilder::build(OpenCell root, std::uint64_t inherited) {
         close(std::move(cell));
         continue;
       }
+      leaves += 7;
       const auto first = static_cast<std::uint32_t>(nodes_.size());
       nodes_[cell.node] = TreeNode::inner(first);
       nodes_.resize(first + 8);

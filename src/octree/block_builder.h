@@ -13,12 +13,19 @@
 namespace cdfr {
 
 /// A cell splits while its list is longer than the threshold, it is above the deepest level, and the split
-/// pays: the mean list of the children is at most `gain` of its own. Working memory is one level's lists.
+/// pays: the mean list of the children is at most `gain` of its own. Where two walls are equally far a split
+/// halves half of the lists for ever, so there is a limit to the block's leaves too; what is left of it goes
+/// to the longest lists. Working memory is one level's lists.
 class BlockBuilder {
  public:
   BlockBuilder(SearchSpace space, const Lattice& lattice, const BuildOptions& options,
-               const RefineOptions& refining, Progress& progress)
-      : space_(space), lattice_(lattice), options_(options), refining_(refining), progress_(progress) {}
+               const RefineOptions& refining, std::uint64_t most_leaves, Progress& progress)
+      : space_(space),
+        lattice_(lattice),
+        options_(options),
+        refining_(refining),
+        most_leaves_(most_leaves),
+        progress_(progress) {}
 
   /// `inherited` counts the triangles that the root's list was pruned from.
   Block build(OpenCell root, std::uint64_t inherited);
@@ -41,6 +48,7 @@ class BlockBuilder {
   const Lattice& lattice_;
   const BuildOptions& options_;
   const RefineOptions& refining_;
+  std::uint64_t most_leaves_;
   Progress& progress_;
   std::vector<TreeNode> nodes_;
   std::vector<std::vector<Entry>> lists_;  ///< of closed cells, in the order they closed

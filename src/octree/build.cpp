@@ -55,6 +55,15 @@ std::vector<Pending> cut_into_blocks(SearchSpace space, const RefineOptions& ref
   return seeds;
 }
 
+/// A block's share of the octree's leaves goes by its list. With the gain test off all splits are wanted.
+std::uint64_t most_leaves(const BuildOptions& options, std::uint64_t triangles, std::uint64_t listed,
+                          std::uint64_t listed_in_all) noexcept {
+  if (options.gain >= 1) return ~std::uint64_t{0} / 2;
+  const double all = static_cast<double>(leaves_in_all + leaves_a_triangle * triangles);
+  return 8 +
+         static_cast<std::uint64_t>(all * static_cast<double>(listed) / static_cast<double>(listed_in_all));
+}
+
 void add(std::vector<LevelStats>& sum, const std::vector<LevelStats>& part) {
   if (sum.size() < part.size()) sum.resize(part.size());
   for (std::size_t level = 0; level < part.size(); ++level) {
@@ -77,12 +86,15 @@ Octree build_octree(SearchSpace space, const Lattice& lattice, const BuildOption
       options.lists,
       std::max<std::uint64_t>(1024, 16 * static_cast<std::uint64_t>(options.max_triangles_per_leaf))};
   std::vector<Pending> seeds = cut_into_blocks(space, refining, tree, progress);
+  std::uint64_t rooted = 0;
+  for (const Pending& seed : seeds) rooted += seed.open.triangles;
   std::vector<std::vector<LevelStats>> levels(seeds.size());
   tree.blocks.resize(seeds.size());
   progress.phase(0.2, 0.9, static_cast<double>(seeds.size()));
   for_chunks(seeds.size(), 1, [&](std::size_t i, std::size_t) {
     if (progress.cancelled()) return;
-    BlockBuilder builder(space, lattice, options, refining, progress);
+    const std::uint64_t most = most_leaves(options, space.triangles.size(), seeds[i].open.triangles, rooted);
+    BlockBuilder builder(space, lattice, options, refining, most, progress);
     tree.blocks[i] = builder.build(std::move(seeds[i].open), seeds[i].inherited);
     levels[i] = builder.levels();
     progress.step();

@@ -15,6 +15,11 @@ namespace cdfr {
 inline constexpr std::uint64_t block_triangles = 1U << 16;
 inline constexpr int block_deepest = 6;
 
+/// What the leaves may add up to, unless the gain test is off (BuildOptions::gain). Parts need 2 to 8 a
+/// triangle.
+inline constexpr std::uint64_t leaves_in_all = 1U << 16;
+inline constexpr std::uint64_t leaves_a_triangle = 32;
+
 /// Leaves come out as `surface` where the surface may touch the closed cell, else as `undecided`: the field
 /// sets sides. Runs in the caller's task arena; blocks in parallel. If cancelled, what comes back is
 /// incomplete. O(output) but for the levels above the blocks.

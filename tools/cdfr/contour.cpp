@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "audit_report.h"
 #include "byte_sink.h"
 #include "cdfr/export/write.h"
 #include "cdfr/mesh/read.h"
@@ -121,6 +122,7 @@ Json contour_json(const Arguments& arguments, const Input& input, const Contour&
   const ContourReport& report = contour.report;
   Json json = begin_report(arguments.input, input.unit);
   json["sign"] = sign_text(input.field.sign());
+  json["audit"] = json_of(input.field.report());
   json["distance"] = contour.distance;
   json["tolerance"] = contour.tolerance;
   json["leaves"] = report.leaves;

@@ -21,7 +21,9 @@ struct BuildOptions {
   int max_triangles_per_leaf = 64;
   /// Deepest level of a leaf, 0 to 18; level 0 cells are the cubes of the brick.
   int max_level = 6;
-  /// A split is kept if the children's mean list is at most this share of the parent's; 1 keeps every split.
+  /// A split is kept if the children's mean list is at most this share of the parent's, and there are about
+  /// 65,536 leaves and 32 a triangle at most, so that no choice of the above exhausts memory; 1 keeps every
+  /// split.
   double gain = 0.75;
   Sign sign = Sign::automatic;
   Lists lists = Lists::corner;
