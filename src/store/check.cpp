@@ -99,6 +99,16 @@ Result<void> check_triangles(const FieldData& field) {
   return {};
 }
 
+/// What the arrays show of the audit has to agree with it; the rest can only be believed.
+Result<void> check_report(const FieldData& field) {
+  const MeshReport& r = field.report;
+  const bool agrees = r.triangles == field.triangles.records.size() && r.box == field.bvh.nodes[0].box &&
+                      (field.sign == Sign::none || r.vertices == field.pseudonormals.vertices.size());
+  if (!agrees || !std::isfinite(r.volume) || !std::isfinite(r.area))
+    return refusal(0, "report: does not fit the mesh");
+  return {};
+}
+
 Box box_of(const TriangleStore& t, std::uint32_t group) noexcept {
   const Vec3 first = t.groups[group].vertex(0, 0);
   Box box{first, first};
@@ -238,7 +248,8 @@ Result<void> check_levels(const FieldData& field) {
 }  // namespace
 
 Result<void> check_field(const FieldData& field) {
-  for (const auto check : {check_lattice, check_triangles, check_bvh, check_blocks, check_levels}) {
+  for (const auto check :
+       {check_lattice, check_triangles, check_bvh, check_report, check_blocks, check_levels}) {
     if (Result<void> good = check(field); !good) return good;
   }
   return {};
