@@ -73,7 +73,7 @@ Bounded angle_of(double numerator, const Doubtful& d) noexcept {
 }  // namespace
 
 Bounded solid_angle(const Vec3& p, const std::array<Vec3, 3>& triangle) noexcept {
-  const auto& [a, b, c] = triangle;
+  const Vec3 &a = triangle[0], &b = triangle[1], &c = triangle[2];
   const Doubtful d = careful(minus(a, p), minus(b, p), minus(c, p), [&] {
     return in_double_double(difference(a, p), difference(b, p), difference(c, p));
   });
