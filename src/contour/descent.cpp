@@ -45,6 +45,8 @@ void Descent::finish(const Cube& cube) {
   if (!passes(level_, centre.value, cube) || put_point(centre, cube)) return;
   if (!centre.on_side && off_side(cube, centre.value)) return;
   Stuck stuck{cube, centre, centre};
+  // Where the sign jumps, the centre may be above the height, its point on the wrong side.
+  if (centre.value >= level_.height) stuck.highest.value = -std::numeric_limits<double>::infinity();
   halve(cube, most_halvings, stuck);
   if (stuck.found || stuck.excluded || put_from_highest(stuck)) return;
   ++counts_.undecided;
@@ -94,8 +96,8 @@ bool Descent::try_sample(const Vec3& x, Stuck& stuck) {
   ++stuck.trials;
   stuck.last = at.value;
   if (at.value < level_.height && at.value > stuck.highest.value) stuck.highest = at;
-  stuck.found =
-      put_point(at, stuck.cube) || (at.value >= level_.height && put_between(stuck.centre, at, stuck.cube));
+  const bool crosses = stuck.centre.value < level_.height && at.value >= level_.height;
+  stuck.found = put_point(at, stuck.cube) || (crosses && put_between(stuck.centre, at, stuck.cube));
   return stuck.found;
 }
 

@@ -57,8 +57,8 @@ class Descent {
   /// What is known of a cube of final size while it is halved.
   struct Stuck {
     Cube cube;
-    Sample centre;   ///< below the height
-    Sample highest;  ///< of those below the height
+    Sample centre;
+    Sample highest;  ///< of those below the height; of value -inf if there is none yet
     int trials = 0;
     double last = 0;  ///< value of the last sample
     bool found = false;

@@ -2,9 +2,10 @@
 /// and how much the winding number can change within a ball, which hangs on the boundary alone.
 ///
 /// Where no triangle is, w is harmonic and its gradient is the Biot-Savart field of the boundary: at most
-/// L / (4 pi r^2) for boundary of length L, none nearer than r. So within a ball of radius R about c that no
-/// triangle enters, w differs from w(c) by at most R * sum of L_i / (4 pi (r_i - R)^2), r_i the distance from
-/// c to part i of the boundary. Near parts are cut small, far ones taken together by BVH node.
+/// L / (4 pi r^2) for boundary of length L, none nearer than r. So along any straight way from c that meets
+/// no triangle and stays within R of c (in a ball or a convex cell without triangles, for one) w differs from
+/// w(c) by at most R * sum of L_i / (4 pi (r_i - R)^2), r_i the distance from c to part i of the boundary.
+/// Near parts are cut small, far ones taken together by BVH node.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +32,7 @@ struct Boundary {
 /// Edge ids of the records are below edge_count. O(n).
 Boundary find_boundary(SearchSpace space, std::size_t edge_count);
 
-/// Bound on |w(x) - w(centre)| over the ball, if no triangle enters it; infinite if the boundary does or
-/// nearly does.
+/// Bound on |w(x) - w(centre)| for such x; infinite if the boundary comes that near or nearly so.
 double winding_drift(const Boundary& boundary, SearchSpace space, const Vec3& centre, double radius) noexcept;
 
 }  // namespace cdfr

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "cdfr/field/field.h"
+#include "core/floating_environment.h"
+#include "core/parallel.h"
 #include "field/build_field.h"
 #include "field/query.h"
 
@@ -11,9 +13,11 @@ namespace cdfr {
 Result<BruteForce> BruteForce::over(MeshView mesh, Sign sign) {
   BuildOptions options;
   options.sign = sign;
+  const FloatingEnvironment environment;
   const Run run;
   Progress progress(run);
-  Result<FieldData> data = prepare_field(mesh, options, progress);
+  Result<FieldData> data = Progress::error();
+  with_threads(run, [&] { data = prepare_field(mesh, options, progress); });
   if (!data) return data.error();
   return BruteForce(std::make_shared<const FieldData>(std::move(data).value()));
 }

@@ -20,13 +20,14 @@ constexpr double four_pi = 12.566370614359172;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Covers the roundings of a sum of a few positive terms.
 constexpr double up = 1 + 0x1p-40;
-/// Openings tried before single triangles: each costs a few times the one before.
-constexpr double openings[] = {2, 4, 8, 16, infinity};
+/// Of each partial sum: its rounding.
+constexpr double sum_error = 0x1p-52;
 /// Boundaries up to this length are summed at once: as quick as an opening of 2.
 constexpr std::size_t few_edges = 256;
-/// A sum over a boundary that is worse has met an edge; another direction will not.
+/// A sum over a boundary that is worse has met an edge. Another direction will not, unless the point itself
+/// is there.
 constexpr double good_error = 0x1p-24;
-constexpr std::uint32_t most_attempts = 64;
+constexpr std::uint32_t most_attempts = 8;
 
 /// How far a stored centre may be from the one that the moments were taken about, and half of that again.
 double centre_doubt(const Vec3& centre) noexcept { return 0x1p-51 * largest_magnitude(centre); }
@@ -56,6 +57,7 @@ WindingMoments joined(const Box& box, std::span<const WindingMoments> parts) noe
       m.first[3 + i] += part.first[3 + i] + (area[a] * shift[b] + area[b] * shift[a]) / 2;
     }
     m.total = (m.total + part.total) * up;
+    m.doubt = (m.doubt + part.doubt) * up;
     m.spread = (m.spread + part.spread + part.total * shift.squaredNorm()) * up;
   }
   const double doubt = centre_doubt(m.centre);
@@ -76,7 +78,8 @@ WindingMoments of_triangle(const TriangleShape& t) noexcept {
   m.centre = from_eigen(a + middle);
   m.area = from_eigen(to_eigen(rounded(t.normal)) * area);
   // The cross product is off by less than 2^-50 of the product of the edges.
-  m.total = area * up + 0x1p-50 * e.norm() * f.norm();
+  m.doubt = 0x1p-50 * e.norm() * f.norm();
+  m.total = area * up + m.doubt;
   m.spread =
       m.total / 12 * (middle.squaredNorm() + (e - middle).squaredNorm() + (f - middle).squaredNorm()) * up;
   return m;
@@ -102,7 +105,7 @@ Bounded angle_of(const WindingMoments& m, const Eigen::Vector3d& r, double d) no
   const double q = m.radius / d;
   const double value = (to_eigen(m.area).dot(n) + (trace - 3 * bent) / d) / d / d;
   const double rest = m.spread / d / d * ((3 - 2 * q) / ((1 - q) * (1 - q)));
-  return {value, (rest + m.total * (0x1p-40 + 8 * centre_doubt(m.centre) / d)) / d / d * up};
+  return {value, (rest + 4 * m.doubt + m.total * (0x1p-40 + 8 * centre_doubt(m.centre) / d)) / d / d * up};
 }
 
 }  // namespace
@@ -138,7 +141,7 @@ Bounded winding_number(const WindingTree& tree, SearchSpace space, const Vec3& p
     if (d > opening * moments.radius) {
       const Bounded angle = angle_of(moments, r, d);
       sum.value += angle.value;
-      sum.error += angle.error;
+      sum.error += angle.error + sum_error * std::fabs(sum.value);
     } else if (!node.is_group()) {
       stack[size++] = space.bvh.right(index);
       stack[size++] = space.bvh.left(index);
@@ -148,7 +151,7 @@ Bounded winding_number(const WindingTree& tree, SearchSpace space, const Vec3& p
         const Bounded angle =
             solid_angle(p, {group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)});
         sum.value += angle.value;
-        sum.error += angle.error + 0x1p-50;
+        sum.error += angle.error + sum_error * std::fabs(sum.value);
       }
     }
   }
@@ -166,7 +169,7 @@ Bounded winding_by_boundary(const WindingTree& tree, SearchSpace space, const Ve
     for (const BoundaryEdge& edge : tree.boundary.edges) {
       const Bounded angle = solid_angle_to_infinity(p, edge.from, edge.to, back);
       sum.value += edge.times * angle.value;
-      sum.error += edge.times * (angle.error + 0x1p-50);
+      sum.error += edge.times * angle.error + 2 * sum_error * std::fabs(sum.value);
     }
     const Bounded w{*crossings + sum.value / four_pi, sum.error / four_pi * up};
     if (w.error < best.error) best = w;
@@ -178,17 +181,28 @@ Bounded winding_by_boundary(const WindingTree& tree, SearchSpace space, const Ve
 namespace {
 
 /// w(p), refined until it is farther than `margin` from 1/2 or known to rounding. A short boundary is the
-/// quicker way, and if it is shorter than the mesh the surer one.
+/// quicker way, and if it is shorter than the mesh the surer one; where all of its directions are spoilt, the
+/// triangles answer.
 Bounded refined(const WindingTree& tree, SearchSpace space, const Vec3& p, double margin) noexcept {
   const auto decided = [margin](const Bounded& w) { return std::fabs(w.value - 0.5) > w.error + margin; };
   const std::size_t edges = tree.boundary.edges.size();
-  Bounded w{0, infinity};
-  for (const double opening : openings) {
-    const bool by_boundary = edges <= few_edges || (opening > 4 && edges < space.triangles.size());
-    w = by_boundary ? winding_by_boundary(tree, space, p) : winding_number(tree, space, p, opening);
-    if (decided(w) || (by_boundary && w.error < good_error)) return w;
+  if (edges > few_edges) {
+    for (const double opening : {2.0, 4.0}) {
+      const Bounded w = winding_number(tree, space, p, opening);
+      if (decided(w)) return w;
+    }
   }
-  return w;
+  Bounded best{0, infinity};
+  if (edges < space.triangles.size()) {
+    best = winding_by_boundary(tree, space, p);
+    if (decided(best) || best.error < good_error) return best;
+  }
+  for (const double opening : {8.0, 16.0, infinity}) {
+    const Bounded w = winding_number(tree, space, p, opening);
+    if (decided(w)) return w;
+    if (w.error < best.error) best = w;
+  }
+  return best;
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ struct WindingMoments {
   Vec3 area;                      ///< integral of the normal
   std::array<double, 6> first{};  ///< symmetric part of the integral of n h^T: xx, yy, zz, xy, yz, zx
   double total = 0;               ///< area, rounded up
+  double doubt = 0;               ///< bound on the error of `area`: of needles it is far larger than they are
   double spread = 0;              ///< integral of |h|^2, rounded up
   double radius = 0;              ///< no |h| is larger
 };
@@ -57,11 +58,12 @@ Bounded winding_number(const WindingTree& tree, SearchSpace space, const Vec3& p
 /// but for rounding. O(boundary) and one ray.
 Bounded winding_by_boundary(const WindingTree& tree, SearchSpace space, const Vec3& p) noexcept;
 
-/// w(p) > 1/2, refined until certain or exact but for rounding.
+/// w(p) > 1/2, refined until certain or exact but for rounding; within 2^-80 of a boundary edge's length from
+/// it w is not known to better than a whole turn of that edge, and any side may come back.
 bool winds(const WindingTree& tree, SearchSpace space, const Vec3& p) noexcept;
 
-/// The side of all points of a ball that no triangle enters: certain if |w(centre) - 1/2| exceeds what the
-/// boundary can change (boundary.h), else undecided.
+/// The side of all points that a straight way of at most `radius` without triangles joins to the centre:
+/// certain if |w(centre) - 1/2| exceeds what the boundary can change (boundary.h), else undecided.
 Side side_of_ball(const WindingTree& tree, SearchSpace space, const Vec3& centre, double radius) noexcept;
 
 }  // namespace cdfr

@@ -15,7 +15,7 @@ inline constexpr double largest_coordinate = 0x1p200;
 /// Query coordinates below this size are taken as 0. A mesh has a coordinate of at least 2^-200 unless it is
 /// the origin itself, so the shift is below 2^-47 ulp. What remains is a multiple of 2^-352; a product of one
 /// query difference and two mesh differences is a multiple of 2^-856, of two query differences and one mesh
-/// difference of 2^-956: no underflow in exact arithmetic.
+/// difference of 2^-956, of three query differences of 2^-1056: no underflow in exact arithmetic.
 inline constexpr double smallest_query = 0x1p-300;
 
 /// Beyond this a query is at a distance of 2^100 times the largest mesh and more: every point of the mesh is

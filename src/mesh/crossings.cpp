@@ -8,9 +8,14 @@
 #include "geometry/box_distance.h"
 #include "geometry/expansion.h"
 #include "geometry/query_range.h"
+#include "geometry/solid_angle.h"
 
 namespace cdfr {
 namespace {
+
+constexpr double four_pi = 12.566370614359172;
+/// Only a mesh that was made for it spoils so many rays.
+constexpr std::uint32_t most_attempts = 64;
 
 using ExactVector = std::array<Expansion<4>, 3>;
 
@@ -20,7 +25,7 @@ struct Ray {
   std::array<Vec3, 3> parts;
   Vec3 near;
   double doubt = 0;
-  Vec3 direction;  ///< whole numbers below 2^20
+  Vec3 direction;  ///< multiples of 2^-38 up to 1
 };
 
 Vec3 minus(const Vec3& a, const Vec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -166,6 +171,15 @@ std::optional<int> winding_along(const Ray& ray, SearchSpace space, std::uint32_
   return winding;
 }
 
+/// Of all triangles but one: for meshes made so that every ray is spoilt.
+double sum_of_angles(const Vec3& p, SearchSpace space, std::uint32_t except) noexcept {
+  double sum = 0;
+  for (std::uint32_t slot = 0; slot < space.triangles.size(); ++slot) {
+    if (slot != except) sum += solid_angle(p, space.triangles.shape(slot).vertices).value;
+  }
+  return sum;
+}
+
 }  // namespace
 
 /// Any three points of this curve are independent (Vandermonde). t runs over the 2^20 multiples of 2^-19 in
@@ -182,9 +196,10 @@ std::optional<int> crossings_along(const Vec3& p, const Vec3& direction, SearchS
 
 int winding_by_crossings(const Vec3& p, SearchSpace space) noexcept {
   if (!contains(space.bvh.nodes[0].box, p)) return 0;
-  for (std::uint32_t attempt = 0;; ++attempt) {
+  for (std::uint32_t attempt = 0; attempt < most_attempts; ++attempt) {
     if (const std::optional<int> winding = crossings_along(p, ray_direction(attempt), space)) return *winding;
   }
+  return static_cast<int>(std::lround(sum_of_angles(p, space, no_index) / four_pi));
 }
 
 int winding_in_front(std::uint32_t slot, SearchSpace space) noexcept {
@@ -195,7 +210,7 @@ int winding_in_front(std::uint32_t slot, SearchSpace space) noexcept {
   ray.near = {a.x + b.x + c.x, a.y + b.y + c.y, a.z + b.z + c.z};
   ray.doubt = 4 * unit_roundoff *
               std::max({largest_magnitude(v[0]), largest_magnitude(v[1]), largest_magnitude(v[2])});
-  for (std::uint32_t attempt = 0;; ++attempt) {
+  for (std::uint32_t attempt = 0; attempt < most_attempts; ++attempt) {
     ray.direction = ray_direction(attempt);
     const int towards = rises(ray.direction, v);
     if (towards == 0) continue;
@@ -203,6 +218,8 @@ int winding_in_front(std::uint32_t slot, SearchSpace space) noexcept {
     // What the ray counts is the winding on the side that it starts on, and behind it is one more.
     if (winding) return towards > 0 ? *winding : *winding - 1;
   }
+  // Seen from just off its front the triangle itself takes up minus half a turn.
+  return static_cast<int>(std::lround(sum_of_angles(ray.near, space, slot) / four_pi - 0.5));
 }
 
 }  // namespace cdfr

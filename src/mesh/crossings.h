@@ -11,9 +11,10 @@ namespace cdfr {
 
 /// How often a balanced mesh (MeshReport::balanced) winds around p: crossings of a ray from p, leaving
 /// counted 1, entering -1. Every crossing is decided by exact predicates; a ray that meets an edge, a corner
-/// or a triangle edge-on is given up for the next of a sequence of directions. No three of those lie in a
-/// plane, so each edge and each triangle spoils at most two: some direction serves. Precondition: p is finite
-/// and within the range of query_range.h; on the surface the result says nothing. O(sqrt n) as a rule.
+/// or a triangle edge-on is given up for the next of a sequence of directions, no three of which lie in a
+/// plane, so that an edge or a triangle spoils at most two. If 64 are spoilt, solid angles are added up
+/// instead, which is right but within 2^-80 of an edge. Precondition: p is finite and within the range of
+/// query_range.h; on the surface the result says nothing. O(sqrt n) as a rule.
 int winding_by_crossings(const Vec3& p, SearchSpace space) noexcept;
 
 /// The direction that is tried at that turn: (1, t, t^2).

@@ -137,6 +137,7 @@ Block BlockBuilder::build(OpenCell root, std::uint64_t inherited) {
     }
     frontier = std::move(next);
   }
+  if (!frontier.empty()) return {};  // cancelled
   return laid_out(key);
 }
 

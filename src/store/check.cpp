@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "field/boundary.h"
 #include "field/leaves.h"
 #include "geometry/box_distance.h"
 #include "geometry/query_range.h"
@@ -90,9 +91,9 @@ Result<void> check_triangles(const FieldData& field) {
     met[number] = true;
     if (field.sign != Sign::none && !good_ids(field, slot)) return refusal(slot, "records: bad id");
   }
-  for (const std::vector<Vec3>& normals : {field.pseudonormals.edges, field.pseudonormals.vertices}) {
-    for (std::size_t i = 0; i < normals.size(); ++i) {
-      if (!is_finite(normals[i]) || largest_magnitude(normals[i]) > 0x1p20)
+  for (const auto* normals : {&field.pseudonormals.edges, &field.pseudonormals.vertices}) {
+    for (std::size_t i = 0; i < normals->size(); ++i) {
+      if (!is_finite((*normals)[i]) || largest_magnitude((*normals)[i]) > 0x1p20)
         return refusal(i, "pseudonormals: not finite");
     }
   }
@@ -104,6 +105,10 @@ Result<void> check_report(const FieldData& field) {
   const MeshReport& r = field.report;
   const bool agrees = r.triangles == field.triangles.records.size() && r.box == field.bvh.nodes[0].box &&
                       (field.sign == Sign::none || r.vertices == field.pseudonormals.vertices.size());
+  // Crossings decide alone where every edge balances.
+  const bool counted = field.sign != Sign::none && r.balanced();
+  if (counted && !find_boundary(field.space(), field.pseudonormals.edges.size()).edges.empty())
+    return refusal(0, "report: says that every edge balances");
   if (!agrees || !std::isfinite(r.volume) || !std::isfinite(r.area))
     return refusal(0, "report: does not fit the mesh");
   return {};

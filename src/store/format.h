@@ -1,4 +1,4 @@
-/// Layout of a .cdfr file, version 1.
+/// Layout of a .cdfr file, version 2.
 ///
 /// All numbers are little endian. A head of 64 bytes, then sections one after another, each beginning on a
 /// multiple of 64 bytes: section i holds counts[i] elements of the size below, zero padded to the next

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cdfr/store/store.h"
+#include "core/floating_environment.h"
 #include "core/mapped_file.h"
 #include "field/build_field.h"
 #include "field/field_data.h"
@@ -128,6 +129,7 @@ bool split(Sections& sections, std::vector<Block>& blocks) {
 }  // namespace
 
 Result<StoredField> load(const std::filesystem::path& path) {
+  const FloatingEnvironment environment;
   Result<MappedFile> file = MappedFile::open(path);
   if (!file) return file.error();
   const Result<format::Counts> counts = checked_counts(file->bytes());

@@ -8,6 +8,7 @@
 #include "cdfr/field/field.h"
 #include "cdfr/mesh/flip.h"
 #include "field/field_data.h"
+#include "mesh/crossings.h"
 #include "support/joined.h"
 #include "support/meshes.h"
 #include "support/same.h"
@@ -131,6 +132,49 @@ TEST(Winding, LeavesCarryASideOnlyWhereAllOfThemIsOnIt) {
     EXPECT_GT(decided, 100U);
     EXPECT_GT(undecided, 0U);
     EXPECT_LT(undecided, decided);
+  }
+}
+
+/// Sheets of two faces with a corner on each of the first rays from the origin.
+Mesh spoiler(std::uint32_t rays) {
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < rays; ++i) {
+    const Vec3 d = ray_direction(i);
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(),
+                         {d, {d.x + 0.01, d.y, d.z + 0.01}, {d.x + 0.01, d.y + 0.01, d.z}});
+    mesh.triangles.insert(mesh.triangles.end(),
+                          {{first, first + 1, first + 2}, {first, first + 2, first + 1}});
+  }
+  return mesh;
+}
+
+TEST(Winding, IsRightWhereAllRaysAreSpoilt) {
+  const Mesh cube = test::box_mesh({{-4, -4, -4}, {4, 4, 4}});
+  Mesh open = cube;
+  open.triangles.pop_back();
+  const Vec3 origin{0, 0, 0};
+  EXPECT_LT(Field::build(test::joined(open, spoiler(70)).view()).value().distance(origin), 0);
+  const Field closed = Field::build(test::joined(cube, spoiler(70)).view()).value();
+  EXPECT_TRUE(closed.report().balanced());
+  EXPECT_EQ(winding_by_crossings(origin, closed.data().space()), 1);
+  EXPECT_LT(closed.distance(origin), 0);
+}
+
+TEST(Winding, ANeedlesMomentsAreWithinTheirBound) {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 1, 1}, {0.5, 0.5, 0.5 + 1e-10}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0.3}};
+  mesh.triangles = {{0, 1, 2}};
+  const Field field = Field::build(mesh.view()).value();
+  test::Random random(3);
+  for (const double far : {1e1, 1e3, 1e5}) {
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 p = random.in({{-far, -far, -far}, {far, far, far}});
+      const Bounded w = winding_number(field.data().winding, field.data().space(), p, 2);
+      const Bounded exact = winding_number(field.data().winding, field.data().space(), p,
+                                           std::numeric_limits<double>::infinity());
+      EXPECT_LE(std::fabs(w.value - exact.value), w.error + exact.error);
+    }
   }
 }
 

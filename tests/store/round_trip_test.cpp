@@ -1,6 +1,7 @@
 // What is loaded is what was saved: every answer bit for bit.
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,22 @@ class RoundTrip : public StoreTest {
     }
   }
 };
+
+TEST_F(RoundTrip, InAnyRoundingModeOfTheCaller) {
+  Mesh open = test::sphere_mesh(2);
+  open.triangles.pop_back();
+  for (const Mesh& mesh : {test::sphere_mesh(2), open}) {
+    const Field field = Field::build(mesh.view()).value();
+    save(field, file(), "mm").value();
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, FE_TONEAREST}) {
+      std::fesetround(mode);
+      const Result<StoredField> stored = load(file());
+      std::fesetround(FE_TONEAREST);
+      ASSERT_TRUE(stored) << stored.error().text;
+      expect_same(field, stored->field);
+    }
+  }
+}
 
 TEST_F(RoundTrip, OfAClosedMesh) { check(test::sphere_mesh(4), {}, "mm"); }
 

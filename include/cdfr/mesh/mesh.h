@@ -11,7 +11,8 @@
 
 namespace cdfr {
 
-/// Borrowed arrays. A triangle's number is its place here, which for a mesh that was read is its place in the file.
+/// Borrowed arrays. A triangle's number is its place here, which for a mesh that was read is its place in the
+/// file.
 struct MeshView {
   Points vertices;
   std::span<const Triangle> triangles;
@@ -21,8 +22,8 @@ struct MeshView {
 struct Mesh {
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> patches;     ///< one id a triangle, or empty
-  std::vector<std::string> patch_names;   ///< by patch id; as in the file, unescaped
+  std::vector<std::uint32_t> patches;    ///< one id a triangle, or empty
+  std::vector<std::string> patch_names;  ///< by patch id; as in the file, unescaped
 
   MeshView view() const noexcept { return {std::span<const Vec3>(vertices), triangles, patches}; }
 };

@@ -27,10 +27,10 @@ struct Welded {
 
 /// Positions are taken in an order that depends on them alone: by cells of a grid, then by x, y, z. One that
 /// has no kept position within `tolerance` (compared exactly) is kept; each of the others moves to the
-/// nearest kept one, the earliest of equally near ones. So nothing moves farther than the tolerance, in a
-/// chain of near points neither; kept positions are farther apart than it; and the positions that result do
-/// not depend on the order of vertices or triangles. Tolerance 0 makes one vertex of equal coordinates (-0
-/// equals 0).
+/// nearest kept one by rounded distance, the earliest of equally near ones. So nothing moves farther than the
+/// tolerance, in a chain of near points neither; kept positions are farther apart than it; and the positions
+/// that result do not depend on the order of vertices or triangles. Tolerance 0 makes one vertex of equal
+/// coordinates (-0 equals 0).
 ///
 /// Triangles of which two corners are one vertex are dropped and counted, also if they were one before.
 /// Duplicates and triangles whose corners come to lie on a line are kept: the audit counts them. Vertices
