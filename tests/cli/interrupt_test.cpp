@@ -71,9 +71,9 @@ TEST_F(InterruptTest, ABuildEndsWithTheStatusOfItsSignalAndNoFile) {
 TEST_F(InterruptTest, AContourLeavesTheOldFileAndNoTemporaryOne) {
   put("c.ply", "precious");
   const auto writing = [this] { return names_but({"sheet.ply", "c.ply"}).size() == 1; };
-  const Outcome outcome = interrupted(
-      {"contour", path("sheet.ply"), "--distance", "0.5", "--tolerance", "0.2", "-o", path("c.ply")}, SIGINT,
-      writing);
+  const Outcome outcome = interrupted({"contour", path("sheet.ply"), "--sign", "none", "--distance", "0.5",
+                                       "--tolerance", "0.2", "-o", path("c.ply")},
+                                      SIGINT, writing);
   EXPECT_EQ(outcome.status, 130) << outcome.errors;
   EXPECT_EQ(text_of("c.ply"), "precious");
   EXPECT_EQ(names_but({"sheet.ply", "c.ply"}), std::vector<std::string>());
