@@ -21,9 +21,13 @@ namespace {
 /// Bytes that this program asked for, in all threads.
 std::atomic<std::size_t> asked_for = 0;
 
-void* taken(std::size_t size) {
+void* counted(std::size_t size) noexcept {
   asked_for += size;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  return std::malloc(size == 0 ? 1 : size);
+}
+
+void* taken(std::size_t size) {
+  if (void* memory = counted(size)) return memory;
   throw std::bad_alloc();
 }
 
@@ -31,6 +35,9 @@ void* taken(std::size_t size) {
 
 void* operator new(std::size_t size) { return taken(size); }
 void* operator new[](std::size_t size) { return taken(size); }
+// std::stable_sort asks for its buffer this way; all forms have to fit the deletes below.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return counted(size); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return counted(size); }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
