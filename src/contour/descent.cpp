@@ -147,8 +147,7 @@ bool Descent::off_side(const Cube& cube, double value) const noexcept {
   if (!level_.jumps || level_.height == 0) return false;
   const double radius = cube.half_diagonal() + level_.rounding;
   if (!(value > radius)) return false;
-  const Side wrong = level_.side > 0 ? Side::inside : Side::outside;
-  return side_of_ball(field_.winding, field_.space(), cube.centre(), radius) == wrong;
+  return side_of_ball(field_.winding, field_.space(), cube.centre(), radius) == level_.other_side();
 }
 
 /// Depth first, until a point is found or all is excluded.

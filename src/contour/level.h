@@ -26,6 +26,7 @@ struct Level {
     return jumps ? std::fabs(signed_distance) : side * signed_distance;
   }
   bool on_side(double signed_distance) const noexcept { return (signed_distance < 0) == (side < 0); }
+  Side other_side() const noexcept { return side < 0 ? Side::outside : Side::inside; }
 };
 
 /// A point with all that is needed to move from it.

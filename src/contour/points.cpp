@@ -6,9 +6,11 @@
 #include "cdfr/contour/contour.h"
 #include "contour/descent.h"
 #include "contour/regions.h"
+#include "core/collected_points.h"
 #include "core/floating_environment.h"
 #include "core/parallel.h"
 #include "core/progress.h"
+#include "geometry/box_distance.h"
 #include "geometry/query_range.h"
 
 namespace cdfr {
@@ -19,10 +21,6 @@ namespace {
 /// megabytes.
 constexpr std::size_t regions_a_task = 8;
 constexpr std::size_t regions_a_wave = 512;
-
-double longest_side(const Box& box) noexcept {
-  return std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
-}
 
 Level level_of(const FieldData& field, double distance) noexcept {
   const Box domain = field.tree.lattice.domain();
@@ -128,15 +126,6 @@ class Extraction {
   ContourReport report_;
 };
 
-class Collector : public PointSink {
- public:
-  Result<void> write(std::span<const ContourPoint> points) override {
-    collected.insert(collected.end(), points.begin(), points.end());
-    return {};
-  }
-  std::vector<ContourPoint> collected;
-};
-
 }  // namespace
 
 Result<ContourReport> contour_points(const Field& field, double distance, const ContourOptions& options,
@@ -166,10 +155,10 @@ Result<ContourReport> contour_points(const Field& field, double distance, const 
 
 Result<std::vector<ContourPoint>> contour_points(const Field& field, double distance,
                                                  const ContourOptions& options, const Run& run) {
-  Collector collector;
-  const Result<ContourReport> report = contour_points(field, distance, options, collector, run);
+  CollectedPoints collected;
+  const Result<ContourReport> report = contour_points(field, distance, options, collected, run);
   if (!report) return report.error();
-  return std::move(collector.collected);
+  return std::move(collected.points);
 }
 
 }  // namespace cdfr

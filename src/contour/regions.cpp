@@ -44,8 +44,7 @@ class Regions {
         const Cube cube{lattice.box(cell).lo, lattice.size(cell.level)};
         const LeafRecord& leaf = blocks[i].leaves[number];
         const double least = blocks[i].entries[leaf.first].distance() * lattice.edge;
-        const Side wrong = level_.side > 0 ? Side::inside : Side::outside;
-        if (level_.jumps && leaf.side() == wrong) return;
+        if (level_.jumps && leaf.side() == level_.other_side()) return;
         if (least > level_.height + cube.half_diagonal() + level_.rounding || !progress_.poll()) return;
         ++evaluations[i];
         if (passes(level_, value_at(field_, level_, cube.centre()), cube)) visited[i].push_back(cube);
@@ -88,7 +87,7 @@ class Regions {
   Cube enclosing() const noexcept {
     const Lattice& lattice = field_.tree.lattice;
     const Box& box = field_.bounds();
-    const double longest = std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
+    const double longest = longest_side(box);
     double size = 16 * lattice.edge;
     while (size < 4 * (level_.height + longest)) size *= 2;
     const double before = size / 2 - 4 * lattice.edge;

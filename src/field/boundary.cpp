@@ -1,16 +1,15 @@
 #include "field/boundary.h"
 
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 
 #include "geometry/box_distance.h"
+#include "geometry/solid_angle.h"
 
 namespace cdfr {
 namespace {
 
-constexpr double four_pi = 12.566370614359172;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Covers the roundings of a few positive terms.
 constexpr double up = 1 + 0x1p-40;
@@ -78,28 +77,26 @@ Boundary find_boundary(SearchSpace space, std::size_t edge_count) {
 double winding_drift(const Boundary& boundary, SearchSpace space, const Vec3& centre,
                      double radius) noexcept {
   double sum = 0;
-  std::array<std::uint32_t, bvh_depth_limit> stack;
-  std::size_t size = 0;
-  stack[size++] = 0;
-  while (size > 0 && sum * radius < hopeless * four_pi) {
-    const std::uint32_t index = stack[--size];
-    const BvhNode& node = space.bvh.nodes[index];
-    if (boundary.lengths[index] == 0) continue;
-    const double gap = std::sqrt(squared_distance_below(centre, node.box)) * (1 - 0x1p-40) - radius;
-    if (gap > diagonal_above(node.box)) {
-      sum += boundary.lengths[index] / gap / gap;
-    } else if (!node.is_group()) {
-      stack[size++] = space.bvh.right(index);
-      stack[size++] = space.bvh.left(index);
-    } else {
-      for (std::uint32_t e = boundary.first[node.first_group]; e < boundary.first[node.first_group + 1];
-           ++e) {
-        const BoundaryEdge& edge = boundary.edges[e];
-        sum += edge.times * pull(edge.from, edge.to, centre, radius, most_halvings);
-      }
+  const auto is_hopeless = [&] { return !(sum * radius < hopeless * four_pi); };
+  const auto enter = [&](std::uint32_t index) {
+    const double length = boundary.lengths[index];
+    if (length == 0 || is_hopeless()) return false;
+    const Box& box = space.bvh.nodes[index].box;
+    const double gap = std::sqrt(squared_distance_below(centre, box)) * (1 - 0x1p-40) - radius;
+    const bool is_far = gap > diagonal_above(box);
+    if (is_far) sum += length / gap / gap;
+    return !is_far;
+  };
+  const auto add = [&](std::uint32_t index) {
+    const std::uint32_t group = space.bvh.nodes[index].first_group;
+    for (std::uint32_t e = boundary.first[group]; e < boundary.first[group + 1]; ++e) {
+      const BoundaryEdge& edge = boundary.edges[e];
+      sum += edge.times * pull(edge.from, edge.to, centre, radius, most_halvings);
     }
-  }
-  return size > 0 ? infinity : sum * radius / four_pi * up;
+    return !is_hopeless();
+  };
+  walk(space.bvh, 0, enter, add);
+  return is_hopeless() ? infinity : sum * radius / four_pi * up;
 }
 
 }  // namespace cdfr

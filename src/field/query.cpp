@@ -116,10 +116,8 @@ Eigen::Vector3d surface_normal(const FieldData& field, const Winner& winner,
   const TriangleRecord& record = field.triangles.records[winner.slot];
   Eigen::Vector3d n = to_eigen(rounded(shape.normal));
   const TrianglePlace place = winner.foot.place;
-  Vec3 own;
-  if (field.sign != Sign::none && place >= 4) own = field.pseudonormals.vertices[record.vertices[place - 4]];
-  if (field.sign != Sign::none && place >= 1 && place < 4)
-    own = field.pseudonormals.edges[record.edges[place - 1]];
+  const bool has_own = field.sign != Sign::none && place != 0;
+  const Vec3 own = has_own ? field.pseudonormals.at(place, record) : Vec3{};
   if (!(own == Vec3{})) n = unit(to_eigen(own));
   return n.isZero(0) ? Eigen::Vector3d::UnitZ() : n;
 }
@@ -158,9 +156,8 @@ Finding find_closest(const FieldData& field, const Vec3& p) noexcept {
 }
 
 /// Two scans: the closest vertex bounds the distance, and only triangles whose box is within that bound meet
-/// the kernel. The kernel is within 2^-93 of the reach and Race tells flat triangles from proper ones by
-/// 2^-89 of the largest coordinate, which is at most |p| + reach: what lies farther by 2^-80 of that has
-/// lost.
+/// the kernel. The kernel is within 2^-93 of the reach and Race tells features apart by 2^-88 of the largest
+/// coordinate, which is at most |p| + reach: what lies farther by 2^-80 of that has lost.
 Finding find_closest_brute(const FieldData& field, const Vec3& p) noexcept {
   const TriangleStore& triangles = field.triangles;
   const auto corner = [&](std::uint32_t slot, std::size_t k) {

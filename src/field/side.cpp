@@ -12,27 +12,25 @@ int by_crossings(const FieldData& field, const Vec3& p) noexcept {
   return winding_by_crossings(p, field.space()) > 0 ? -1 : 1;
 }
 
-/// The zero vector stands for normals that do not tell.
-bool has_normal(const FieldData& field, const Winner& winner) noexcept {
-  const TriangleRecord& record = field.triangles.records[winner.slot];
-  const TrianglePlace place = winner.foot.place;
-  if (place == 0) return true;
-  const Vec3& normal = place < 4 ? field.pseudonormals.edges[record.edges[place - 1]]
-                                 : field.pseudonormals.vertices[record.vertices[place - 4]];
-  return normal != Vec3{};
+double reach_of(const Vec3& p, const TriangleShape& triangle) noexcept {
+  double reach = 0;
+  for (const Vec3& v : triangle.vertices)
+    reach = std::max(reach, distance_between(p, v) * (1 + 8 * unit_roundoff));
+  return reach;
 }
 
 /// What the surface around one feature says, if that is the closest one; 0 if it does not tell.
 int by_normals(const FieldData& field, const Vec3& p, const Winner& winner) noexcept {
   const TriangleRecord& record = field.triangles.records[winner.slot];
   const Sides sides = field.sign == Sign::pseudonormal ? Sides::outward : record.sides;
-  if (sides == Sides::unknown || !has_normal(field, winner)) return 0;
+  if (sides == Sides::unknown) return 0;
+  const bool on_face = winner.foot.place == 0;
+  const Vec3 normal = on_face ? Vec3{} : field.pseudonormals.at(winner.foot.place, record);
+  if (!on_face && normal == Vec3{}) return 0;
   if (sides == Sides::both_inside) return -1;
   if (sides == Sides::both_outside) return 1;
-  double reach = 0;
-  for (const Vec3& v : field.triangles.shape(winner.slot).vertices)
-    reach = std::max(reach, distance_between(p, v) * (1 + 8 * unit_roundoff));
-  return side_of_normals(winner.foot, record, field.pseudonormals, reach);
+  if (on_face) return winner.foot.along.hi > 0 ? 1 : -1;
+  return side_of_normal(winner.foot, normal, reach_of(p, field.triangles.shape(winner.slot)));
 }
 
 /// All that may be closest have to agree.

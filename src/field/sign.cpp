@@ -74,12 +74,7 @@ Pseudonormals pseudonormals(const TriangleStore& store, std::size_t edge_count, 
   return result;
 }
 
-int side_of_normals(const Foot& foot, const TriangleRecord& record, const Pseudonormals& normals,
-                    double reach) noexcept {
-  if (foot.place == 0) return foot.along.hi > 0 ? 1 : -1;
-  const bool on_edge = foot.place < 4;
-  const Vec3 normal = on_edge ? normals.edges[record.edges[foot.place - 1]]
-                              : normals.vertices[record.vertices[foot.place - 4]];
+int side_of_normal(const Foot& foot, const Vec3& normal, double reach) noexcept {
   const Eigen::Vector3d offset = to_eigen(rounded(foot.offset));
   const Eigen::Vector3d n = to_eigen(normal);
   const double product = offset.dot(n);
@@ -87,7 +82,7 @@ int side_of_normals(const Foot& foot, const TriangleRecord& record, const Pseudo
   // unit normals is off by 2^-98, which counts where they nearly cancel. Vertex: the mean normal is within
   // 2^-42 (vertex_normal). The offset itself may be off by 2^-93 R in all: by the kernel's rounding, and
   // where the true foot is beside the edge or vertex, so near that the kernel could not tell.
-  const double doubt = on_edge ? 16 * unit_roundoff * n.lpNorm<1>() + 0x1p-94 : 0x1p-40;
+  const double doubt = foot.place < 4 ? 16 * unit_roundoff * n.lpNorm<1>() + 0x1p-94 : 0x1p-40;
   const double bound = offset.lpNorm<1>() * doubt + 0x1p-90 * reach * n.lpNorm<1>();
   if (product > bound) return 1;
   return product < -bound ? -1 : 0;

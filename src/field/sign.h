@@ -23,6 +23,11 @@ namespace cdfr {
 struct Pseudonormals {
   std::vector<Vec3> edges;     ///< sum of the unit normals, within 2u of its size and 2^-97
   std::vector<Vec3> vertices;  ///< angle-weighted mean of the unit normals, components within 2^-42
+
+  /// Precondition: the place is an edge or a vertex.
+  const Vec3& at(TrianglePlace place, const TriangleRecord& record) const noexcept {
+    return place < 4 ? edges[record.edges[place - 1]] : vertices[record.vertices[place - 4]];
+  }
 };
 
 /// `plain_edges` and `plain_vertices` leave out what is not plain (Examined); empty ones leave out nothing.
@@ -31,9 +36,9 @@ Pseudonormals pseudonormals(const TriangleStore& store, std::size_t edges, std::
                             const std::vector<std::uint8_t>& plain_edges,
                             const std::vector<std::uint8_t>& plain_vertices);
 
-/// 1 on the side that the normals at the foot point to, -1 on the other one, 0 undecided. `reach` is at least
-/// the distance from the point to the triangle's vertices. Precondition: the foot's distance is not zero.
-int side_of_normals(const Foot& foot, const TriangleRecord& record, const Pseudonormals& normals,
-                    double reach) noexcept;
+/// 1 on the side that the normal at the foot points to, -1 on the other one, 0 undecided. `reach` is at least
+/// the distance from the point to the triangle's vertices. Precondition: the foot is on an edge or vertex,
+/// its distance not zero, and `normal` is the pseudonormal there.
+int side_of_normal(const Foot& foot, const Vec3& normal, double reach) noexcept;
 
 }  // namespace cdfr

@@ -16,7 +16,6 @@
 namespace cdfr {
 namespace {
 
-constexpr double four_pi = 12.566370614359172;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Covers the roundings of a sum of a few positive terms.
 constexpr double up = 1 + 0x1p-40;
@@ -129,32 +128,27 @@ WindingTree build_winding_tree(SearchSpace space, std::size_t edge_count) {
 
 Bounded winding_number(const WindingTree& tree, SearchSpace space, const Vec3& p, double opening) noexcept {
   Bounded sum;
-  std::array<std::uint32_t, bvh_depth_limit> stack;
-  std::size_t size = 0;
-  stack[size++] = 0;
-  while (size > 0) {
-    const std::uint32_t index = stack[--size];
+  const auto add = [&](const Bounded& angle) {
+    sum.value += angle.value;
+    sum.error += angle.error + sum_error * std::fabs(sum.value);
+  };
+  const auto enter = [&](std::uint32_t index) {
     const WindingMoments& moments = tree.nodes[index];
-    const BvhNode& node = space.bvh.nodes[index];
     const Eigen::Vector3d r = to_eigen(moments.centre) - to_eigen(p);
     const double d = r.norm();
-    if (d > opening * moments.radius) {
-      const Bounded angle = angle_of(moments, r, d);
-      sum.value += angle.value;
-      sum.error += angle.error + sum_error * std::fabs(sum.value);
-    } else if (!node.is_group()) {
-      stack[size++] = space.bvh.right(index);
-      stack[size++] = space.bvh.left(index);
-    } else {
-      const TriangleGroup& group = space.triangles.groups[node.first_group];
-      for (std::size_t lane = 0; lane < space.triangles.lanes(node.first_group); ++lane) {
-        const Bounded angle =
-            solid_angle(p, {group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)});
-        sum.value += angle.value;
-        sum.error += angle.error + sum_error * std::fabs(sum.value);
-      }
+    const bool is_far = d > opening * moments.radius;
+    if (is_far) add(angle_of(moments, r, d));
+    return !is_far;
+  };
+  const auto add_group = [&](std::uint32_t index) {
+    const std::uint32_t number = space.bvh.nodes[index].first_group;
+    const TriangleGroup& group = space.triangles.groups[number];
+    for (std::size_t lane = 0; lane < space.triangles.lanes(number); ++lane) {
+      add(solid_angle(p, {group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)}));
     }
-  }
+    return true;
+  };
+  walk(space.bvh, 0, enter, add_group);
   return {sum.value / four_pi, sum.error / four_pi * up};
 }
 

@@ -34,6 +34,16 @@ inline Box united(const Box& a, const Box& b) noexcept {
           {std::max(a.hi.x, b.hi.x), std::max(a.hi.y, b.hi.y), std::max(a.hi.z, b.hi.z)}};
 }
 
+/// True if the closed boxes have a point in common.
+inline bool overlap(const Box& a, const Box& b) noexcept {
+  return a.lo.x <= b.hi.x && a.hi.x >= b.lo.x && a.lo.y <= b.hi.y && a.hi.y >= b.lo.y && a.lo.z <= b.hi.z &&
+         a.hi.z >= b.lo.z;
+}
+
+inline double longest_side(const Box& box) noexcept {
+  return std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
+}
+
 inline bool contains(const Box& box, const Vec3& p) noexcept {
   return box.lo.x <= p.x && p.x <= box.hi.x && box.lo.y <= p.y && p.y <= box.hi.y && box.lo.z <= p.z &&
          p.z <= box.hi.z;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "geometry/offset.h"
 #include "geometry/orientation.h"
 #include "geometry/planar_orientation.h"
 #include "geometry/query_range.h"
@@ -10,8 +11,6 @@
 
 namespace cdfr {
 namespace {
-
-Vec3 minus(const Vec3& a, const Vec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 double sum_of_magnitudes(const Vec3& v) noexcept { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 

@@ -4,12 +4,13 @@
 
 #include "core/arithmetic.h"
 #include "geometry/double_double.h"
+#include "geometry/offset.h"
 #include "geometry/orientation.h"
 
 namespace cdfr {
 namespace {
 
-constexpr double whole_turn = 6.2831853071795862;
+constexpr double whole_turn = four_pi / 2;
 
 struct Fraction {
   double numerator, denominator;
@@ -25,8 +26,6 @@ Fraction in_double(const Vec3& a, const Vec3& b, const Vec3& c) noexcept {
   const double size = la * lb * lc;
   return {determinant, size + times(a, b) * lc + times(b, c) * la + times(c, a) * lb, size};
 }
-
-Vec3 minus(const Vec3& a, const Vec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 /// Square root to 2^-100 of itself: one Newton step on the double root.
 DoubleDouble root(DoubleDouble x) noexcept {

@@ -7,6 +7,9 @@
 
 namespace cdfr {
 
+/// What the whole sphere takes up.
+inline constexpr double four_pi = 12.566370614359172;
+
 /// A number and a bound on its error.
 struct Bounded {
   double value = 0;

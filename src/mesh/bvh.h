@@ -1,6 +1,8 @@
 /// A binary tree of boxes over the groups of triangles.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -39,6 +41,26 @@ struct BvhAndOrder {
   std::vector<std::uint32_t> order;  ///< triangle numbers by slot
 };
 BvhAndOrder build_bvh(MeshView mesh);
+
+/// Depth first from `root`, left before right: enter(node) says whether to look into a node, group(node) is
+/// called for each group that was entered and ends the walk by returning false. True if nothing did.
+template <class Enter, class Group>
+bool walk(const Bvh& bvh, std::uint32_t root, Enter enter, Group group) {
+  std::array<std::uint32_t, bvh_depth_limit> stack;
+  std::size_t size = 0;
+  stack[size++] = root;
+  while (size > 0) {
+    const std::uint32_t index = stack[--size];
+    if (!enter(index)) continue;
+    if (!bvh.nodes[index].is_group()) {
+      stack[size++] = bvh.right(index);
+      stack[size++] = bvh.left(index);
+    } else if (!group(index)) {
+      return false;
+    }
+  }
+  return true;
+}
 
 /// The mesh and the tree over it, borrowed.
 struct SearchSpace {

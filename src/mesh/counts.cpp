@@ -5,26 +5,19 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/offset.h"
 #include "geometry/unit_normal.h"
 #include "mesh/disjoint_sets.h"
 
 namespace cdfr {
 namespace {
 
-/// A triangle with two equal corners: it has no place among the edges.
-bool collapsed(const Triangle& t) noexcept { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
 /// The uses of an edge by triangles that are not collapsed, into `uses`.
 void live_uses(const Topology& topology, std::uint32_t edge, std::vector<Topology::Use>& uses) {
   uses.clear();
   for (const auto& use : topology.uses_of(edge)) {
-    if (!collapsed(topology.triangles[use.triangle])) uses.push_back(use);
+    if (!topology.collapsed(use.triangle)) uses.push_back(use);
   }
-}
-
-std::size_t corner_of(const Topology& topology, std::uint32_t triangle, std::uint32_t vertex) noexcept {
-  const Triangle& corners = topology.triangles[triangle];
-  return 3 * std::size_t{triangle} + (corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2);
 }
 
 /// Counts edges by their uses, and joins in `triangles` and `fans` (corners) what shares an edge.
@@ -41,8 +34,7 @@ void audit_edges(const Topology& topology, DisjointSets& triangles, DisjointSets
     for (std::size_t i = 1; i < uses.size(); ++i) {
       triangles.join(uses[0].triangle, uses[i].triangle);
       for (const std::uint32_t vertex : topology.edges[e].vertices) {
-        fans.join(corner_of(topology, uses[0].triangle, vertex),
-                  corner_of(topology, uses[i].triangle, vertex));
+        fans.join(topology.corner_of(uses[0].triangle, vertex), topology.corner_of(uses[i].triangle, vertex));
       }
     }
   }
@@ -50,7 +42,7 @@ void audit_edges(const Topology& topology, DisjointSets& triangles, DisjointSets
 
 void count_components(const Topology& topology, DisjointSets& triangles, MeshReport& report) {
   for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
-    if (!collapsed(topology.triangles[t]) && triangles.root(t) == t) ++report.components;
+    if (!topology.collapsed(t) && triangles.root(t) == t) ++report.components;
   }
 }
 
@@ -58,44 +50,17 @@ void count_nonmanifold_vertices(const Topology& topology, DisjointSets& fans, Me
   std::vector<std::uint8_t> fans_at(topology.vertex_count, 0);
   for (std::size_t corner = 0; corner < 3 * topology.triangles.size(); ++corner) {
     const Triangle& triangle = topology.triangles[corner / 3];
-    if (collapsed(triangle) || fans.root(corner) != corner) continue;
+    if (topology.collapsed(corner / 3) || fans.root(corner) != corner) continue;
     std::uint8_t& count = fans_at[triangle[corner % 3]];
     if (count == 1) ++report.nonmanifold_vertices;
     if (count < 2) ++count;
   }
 }
 
-std::uint64_t count_duplicates(const Topology& topology) {
-  std::vector<Triangle> sorted;
-  sorted.reserve(topology.triangles.size());
-  for (const Triangle& triangle : topology.triangles) {
-    if (!collapsed(triangle)) sorted.push_back(triangle);  // the others have no three positions
-  }
-  for (auto& triangle : sorted) std::sort(triangle.begin(), triangle.end());
-  std::sort(sorted.begin(), sorted.end());
-  std::uint64_t duplicates = 0;
-  for (std::size_t i = 1; i < sorted.size(); ++i) duplicates += sorted[i] == sorted[i - 1];
-  return duplicates;
-}
-
-Vec3 minus(const Vec3& a, const Vec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Vec3 cross(const Vec3& a, const Vec3& b) noexcept {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 double dot(const Vec3& a, const Vec3& b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-Box box_of(const MeshView& mesh) noexcept {
-  const double inf = std::numeric_limits<double>::infinity();
-  Box box{{inf, inf, inf}, {-inf, -inf, -inf}};
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const std::uint32_t corner : triangle) {
-      const Vec3 p = mesh.vertices[corner];
-      box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y), std::min(box.lo.z, p.z)};
-      box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y), std::max(box.hi.z, p.z)};
-    }
-  }
-  return box;
-}
 
 /// A sum that carries what rounding drops from it (Neumaier), so that a million terms cost no digits.
 class CompensatedSum {
@@ -135,7 +100,20 @@ void measure(const MeshView& mesh, MeshReport& report) {
 
 }  // namespace
 
-MeshReport counted(MeshView mesh, const Topology& topology) {
+Box box_of(const MeshView& mesh) noexcept {
+  const double inf = std::numeric_limits<double>::infinity();
+  Box box{{inf, inf, inf}, {-inf, -inf, -inf}};
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      const Vec3 p = mesh.vertices[corner];
+      box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y), std::min(box.lo.z, p.z)};
+      box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y), std::max(box.hi.z, p.z)};
+    }
+  }
+  return box;
+}
+
+MeshReport counted(MeshView mesh, const Topology& topology, const std::vector<std::uint32_t>& first_twins) {
   MeshReport report;
   report.triangles = mesh.triangles.size();
   report.vertices = topology.vertex_count;
@@ -143,7 +121,7 @@ MeshReport counted(MeshView mesh, const Topology& topology) {
   audit_edges(topology, triangles, fans, report);
   count_components(topology, triangles, report);
   count_nonmanifold_vertices(topology, fans, report);
-  report.duplicate_triangles = count_duplicates(topology);
+  for (std::uint32_t t = 0; t < first_twins.size(); ++t) report.duplicate_triangles += first_twins[t] != t;
   report.box = box_of(mesh);
   measure(mesh, report);
   return report;

@@ -1,13 +1,20 @@
 /// What can be counted of a mesh from its topology and corners alone.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "cdfr/mesh/audit.h"
 #include "mesh/topology.h"
+#include "mesh/twins.h"
 
 namespace cdfr {
 
 /// All of the report but touching triangles and turned shells. Precondition: `topology` is the mesh's. O(n
 /// log n).
-MeshReport counted(MeshView mesh, const Topology& topology);
+MeshReport counted(MeshView mesh, const Topology& topology, const std::vector<std::uint32_t>& first_twins);
+
+/// Of the corners that triangles use; lo > hi if there are none.
+Box box_of(const MeshView& mesh) noexcept;
 
 }  // namespace cdfr

@@ -7,13 +7,13 @@
 
 #include "geometry/box_distance.h"
 #include "geometry/expansion.h"
+#include "geometry/offset.h"
 #include "geometry/query_range.h"
 #include "geometry/solid_angle.h"
 
 namespace cdfr {
 namespace {
 
-constexpr double four_pi = 12.566370614359172;
 /// Only a mesh that was made for it spoils so many rays.
 constexpr std::uint32_t most_attempts = 64;
 
@@ -27,8 +27,6 @@ struct Ray {
   double doubt = 0;
   Vec3 direction;  ///< multiples of 2^-38 up to 1
 };
-
-Vec3 minus(const Vec3& a, const Vec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 /// False only if the ray certainly misses the box: one of six axes separates them by more than rounding.
 bool may_meet(const Ray& ray, const Box& box) noexcept {
@@ -145,30 +143,22 @@ class Crossing {
 /// Nothing if some triangle but `except` leaves it open.
 std::optional<int> winding_along(const Ray& ray, SearchSpace space, std::uint32_t except) noexcept {
   int winding = 0;
-  std::array<std::uint32_t, bvh_depth_limit> stack;
-  std::size_t size = 0;
-  stack[size++] = 0;
-  while (size > 0) {
-    const std::uint32_t index = stack[--size];
-    const BvhNode& node = space.bvh.nodes[index];
-    if (!may_meet(ray, node.box)) continue;
-    if (!node.is_group()) {
-      stack[size++] = space.bvh.right(index);
-      stack[size++] = space.bvh.left(index);
-      continue;
-    }
-    const TriangleGroup& group = space.triangles.groups[node.first_group];
-    for (std::size_t lane = 0; lane < space.triangles.lanes(node.first_group); ++lane) {
+  const auto enter = [&](std::uint32_t index) { return may_meet(ray, space.bvh.nodes[index].box); };
+  const auto count = [&](std::uint32_t index) {
+    const std::uint32_t number = space.bvh.nodes[index].first_group;
+    const TriangleGroup& group = space.triangles.groups[number];
+    for (std::size_t lane = 0; lane < space.triangles.lanes(number); ++lane) {
       // The border of a triangle of no area covers each of its points as often one way as the other, so those
       // that have an area close up without it.
-      if (node.first_group * group_size + lane == except || group.normal(lane) == Vec3{}) continue;
+      if (number * group_size + lane == except || group.normal(lane) == Vec3{}) continue;
       const std::array<Vec3, 3> t{group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)};
       const std::optional<int> c = Crossing(ray, t).counted();
-      if (!c) return std::nullopt;
+      if (!c) return false;
       winding += *c;
     }
-  }
-  return winding;
+    return true;
+  };
+  return walk(space.bvh, 0, enter, count) ? std::optional(winding) : std::nullopt;
 }
 
 /// Of all triangles but one: for meshes made so that every ray is spoilt.

@@ -13,7 +13,8 @@ Result<Examined> examine(MeshView mesh, Progress& progress) {
   Examined e;
   e.topology = weld_topology(mesh);
   if (!progress.poll()) return Progress::error();
-  e.report = counted(mesh, e.topology);
+  const std::vector<std::uint32_t> twins = first_twins(e.topology);
+  e.report = counted(mesh, e.topology, twins);
   if (!progress.poll()) return Progress::error();
   BvhAndOrder tree = build_bvh(mesh);
   e.bvh = std::move(tree.bvh);
@@ -22,7 +23,7 @@ Result<Examined> examine(MeshView mesh, Progress& progress) {
   const std::vector<std::uint8_t> touching = self_contacts(e.space(), progress);
   if (progress.cancelled()) return Progress::error();
   for (const std::uint8_t touches : touching) e.report.touching_triangles += touches;
-  find_shells(e, touching);
+  find_shells(e, twins, touching);
   return e;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/parallel.h"
+#include "geometry/box_distance.h"
 #include "geometry/triangle_contact.h"
 
 namespace cdfr {
@@ -11,11 +12,6 @@ namespace {
 
 /// About a millisecond of work.
 constexpr std::size_t chunk_size = 512;
-
-bool overlap(const Box& a, const Box& b) noexcept {
-  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y && a.lo.z <= b.hi.z &&
-         b.lo.z <= a.hi.z;
-}
 
 ContactTriangle triangle_at(const TriangleStore& triangles, std::uint32_t slot) noexcept {
   const TriangleGroup& group = triangles.groups[slot / group_size];
@@ -58,21 +54,10 @@ class Search {
   bool finds_contact() const noexcept {
     if (!probe_.has_area()) return false;
     const Box box = box_of(triangle_.corners);
-    std::array<std::uint32_t, bvh_depth_limit> stack;
-    std::size_t size = 0;
-    stack[size++] = 0;
-    while (size > 0) {
-      const std::uint32_t index = stack[--size];
-      const BvhNode& node = space_.bvh.nodes[index];
-      if (!overlap(box, node.box)) continue;
-      if (!node.is_group()) {
-        stack[size++] = space_.bvh.right(index);
-        stack[size++] = space_.bvh.left(index);
-      } else if (meets_one_of(node.first_group, box)) {
-        return true;
-      }
-    }
-    return false;
+    const std::vector<BvhNode>& nodes = space_.bvh.nodes;
+    return !walk(
+        space_.bvh, 0, [&](std::uint32_t index) { return overlap(box, nodes[index].box); },
+        [&](std::uint32_t index) { return !meets_one_of(nodes[index].first_group, box); });
   }
 
  private:

@@ -1,9 +1,5 @@
 #include "mesh/shells.h"
 
-#include <algorithm>
-#include <array>
-#include <numeric>
-
 #include "core/parallel.h"
 #include "mesh/crossings.h"
 #include "mesh/disjoint_sets.h"
@@ -11,37 +7,29 @@
 namespace cdfr {
 namespace {
 
-/// By slot: 1 if the triangle has an area of its own that no other one meets but at shared edges and corners.
-std::vector<std::uint8_t> clean_triangles(const Examined& mesh, const std::vector<std::uint8_t>& touching) {
-  const TriangleStore& store = mesh.triangles;
-  std::vector<std::uint8_t> clean(store.size());
-  const auto corners = [&](std::uint32_t slot) {
-    std::array<std::uint32_t, 3> ids = store.records[slot].vertices;
-    std::sort(ids.begin(), ids.end());
-    return ids;
-  };
-  std::vector<std::uint32_t> order(store.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return corners(a) < corners(b); });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::uint32_t slot = order[i];
-    const bool doubled = (i > 0 && corners(order[i - 1]) == corners(slot)) ||
-                         (i + 1 < order.size() && corners(order[i + 1]) == corners(slot));
-    const bool flat = rounded(store.shape(slot).normal) == Vec3{};
-    clean[slot] = !doubled && !flat && !touching[slot];
+/// By triangle number: 1 if it has an area of its own that no other one meets but at shared edges and
+/// corners.
+std::vector<std::uint8_t> clean_triangles(const Examined& mesh, const std::vector<std::uint32_t>& first_twins,
+                                          const std::vector<std::uint8_t>& touching) {
+  std::vector<std::uint8_t> clean(first_twins.size());
+  for (std::uint32_t slot = 0; slot < clean.size(); ++slot) {
+    const bool flat = rounded(mesh.triangles.shape(slot).normal) == Vec3{};
+    clean[mesh.triangles.records[slot].number] = !flat && !touching[slot];
+  }
+  for (std::uint32_t t = 0; t < clean.size(); ++t) {
+    if (first_twins[t] != t) clean[t] = clean[first_twins[t]] = 0;
   }
   return clean;
 }
 
 /// An edge is plain if just two triangles use it, in opposite directions, and both are clean.
-void find_plain_edges(Examined& mesh, const std::vector<std::uint8_t>& clean_number, DisjointSets& shells) {
+void find_plain_edges(Examined& mesh, const std::vector<std::uint8_t>& clean, DisjointSets& shells) {
   const Topology& topology = mesh.topology;
   mesh.plain_edges.assign(topology.edges.size(), 0);
   for (std::uint32_t e = 0; e < topology.edges.size(); ++e) {
     const auto uses = topology.uses_of(e);
     if (uses.size() != 2 || uses[0].forward == uses[1].forward) continue;
-    if (!clean_number[uses[0].triangle] || !clean_number[uses[1].triangle]) continue;
+    if (!clean[uses[0].triangle] || !clean[uses[1].triangle]) continue;
     mesh.plain_edges[e] = 1;
     shells.join(uses[0].triangle, uses[1].triangle);
   }
@@ -51,10 +39,6 @@ void find_plain_edges(Examined& mesh, const std::vector<std::uint8_t>& clean_num
 void find_plain_vertices(Examined& mesh) {
   const Topology& topology = mesh.topology;
   DisjointSets fans(3 * topology.triangles.size());
-  const auto corner = [&](std::uint32_t triangle, std::uint32_t vertex) {
-    const Triangle& t = topology.triangles[triangle];
-    return 3 * std::size_t{triangle} + (t[0] == vertex ? 0U : t[1] == vertex ? 1U : 2U);
-  };
   mesh.plain_vertices.assign(topology.vertex_count, 1);
   for (std::uint32_t e = 0; e < topology.edges.size(); ++e) {
     const auto uses = topology.uses_of(e);
@@ -62,7 +46,7 @@ void find_plain_vertices(Examined& mesh) {
       if (mesh.plain_edges[e] == 0) {
         mesh.plain_vertices[vertex] = 0;
       } else {
-        fans.join(corner(uses[0].triangle, vertex), corner(uses[1].triangle, vertex));
+        fans.join(topology.corner_of(uses[0].triangle, vertex), topology.corner_of(uses[1].triangle, vertex));
       }
     }
   }
@@ -82,21 +66,19 @@ Sides sides_of(int winding_in_front) noexcept {
 
 }  // namespace
 
-void find_shells(Examined& mesh, const std::vector<std::uint8_t>& touching) {
-  const std::vector<std::uint8_t> clean = clean_triangles(mesh, touching);
+void find_shells(Examined& mesh, const std::vector<std::uint32_t>& first_twins,
+                 const std::vector<std::uint8_t>& touching) {
+  const std::vector<std::uint8_t> clean = clean_triangles(mesh, first_twins, touching);
   std::vector<std::uint32_t> slot_of(clean.size());
-  std::vector<std::uint8_t> clean_number(clean.size());
-  for (std::uint32_t slot = 0; slot < clean.size(); ++slot) {
+  for (std::uint32_t slot = 0; slot < clean.size(); ++slot)
     slot_of[mesh.triangles.records[slot].number] = slot;
-    clean_number[mesh.triangles.records[slot].number] = clean[slot];
-  }
   DisjointSets shells(clean.size());
-  find_plain_edges(mesh, clean_number, shells);
+  find_plain_edges(mesh, clean, shells);
   find_plain_vertices(mesh);
   if (!mesh.report.balanced()) return;
   std::vector<std::uint32_t> roots;
   for (std::uint32_t number = 0; number < clean.size(); ++number) {
-    if (clean_number[number] != 0 && shells.root(number) == number) roots.push_back(slot_of[number]);
+    if (clean[number] != 0 && shells.root(number) == number) roots.push_back(slot_of[number]);
   }
   std::vector<int> winding(roots.size());
   for_chunks(roots.size(), 1,
@@ -106,7 +88,7 @@ void find_shells(Examined& mesh, const std::vector<std::uint8_t>& touching) {
     mesh.report.turned_shells += winding[i] != 0;
   }
   for (std::uint32_t number = 0; number < clean.size(); ++number) {
-    if (clean_number[number] == 0) continue;
+    if (clean[number] == 0) continue;
     mesh.triangles.records[slot_of[number]].sides =
         mesh.triangles.records[slot_of[shells.root(number)]].sides;
   }

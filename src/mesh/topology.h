@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,7 +12,8 @@
 namespace cdfr {
 
 struct Topology {
-  /// One use of an edge by a triangle. `forward`: the triangle runs from the edge's low vertex to its high one.
+  /// One use of an edge by a triangle. `forward`: the triangle runs from the edge's low vertex to its high
+  /// one.
   struct Use {
     std::uint32_t triangle = 0;
     bool forward = false;
@@ -23,9 +25,21 @@ struct Topology {
 
   std::vector<Triangle> triangles;  ///< welded: every corner is an id in 0 .. vertex_count - 1
   std::vector<Triangle> edges_of;   ///< edge ids; edge k of a triangle joins its corners k and (k + 1) % 3
-  std::vector<Edge> edges;          ///< sorted by vertices; a collapsed edge (v, v) is no edge: no_index in edges_of
-  std::vector<Use> uses;            ///< grouped by edge, ascending by triangle
+  std::vector<Edge> edges;  ///< sorted by vertices; a collapsed edge (v, v) is no edge: no_index in edges_of
+  std::vector<Use> uses;    ///< grouped by edge, ascending by triangle
   std::uint32_t vertex_count = 0;
+
+  /// True if two corners are equal: the triangle has no place among the edges.
+  bool collapsed(std::size_t triangle) const noexcept {
+    const Triangle& t = triangles[triangle];
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+  }
+
+  /// 3 * triangle + k, where corner k is that vertex. Precondition: the triangle has it.
+  std::size_t corner_of(std::uint32_t triangle, std::uint32_t vertex) const noexcept {
+    const Triangle& t = triangles[triangle];
+    return 3 * std::size_t{triangle} + (t[0] == vertex ? 0U : t[1] == vertex ? 1U : 2U);
+  }
 
   std::span<const Use> uses_of(std::uint32_t edge) const noexcept {
     const std::uint64_t end = edge + 1 < edges.size() ? edges[edge + 1].first_use : uses.size();
@@ -33,8 +47,8 @@ struct Topology {
   }
 };
 
-/// Precondition: indices are in range and coordinates finite. Welded ids are numbered by first use in triangle order.
-/// O(n log n), deterministic.
+/// Precondition: indices are in range and coordinates finite. Welded ids are numbered by first use in
+/// triangle order. O(n log n), deterministic.
 Topology weld_topology(MeshView mesh);
 
 }  // namespace cdfr

@@ -12,6 +12,7 @@
 #include "geometry/box_distance.h"
 #include "geometry/expansion.h"
 #include "geometry/vertex_order.h"
+#include "mesh/counts.h"
 #include "mesh/mesh_fault.h"
 
 namespace cdfr {
@@ -197,14 +198,6 @@ class Gathering {
   std::vector<std::size_t> candidates_;  ///< kept positions around the cell that is looked at
 };
 
-double longest_side(const Mesh& mesh) noexcept {
-  Box box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-  for (const Triangle& t : mesh.triangles) {
-    for (const std::uint32_t v : t) box = united(box, {mesh.vertices[v], mesh.vertices[v]});
-  }
-  return std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
-}
-
 std::optional<Error> refused(const Mesh& mesh, double tolerance) {
   if (!(tolerance >= 0 && tolerance < infinity)) {
     return Error{Code::bad_option, 0, "weld tolerance must be 0 or positive, and finite"};
@@ -213,7 +206,7 @@ std::optional<Error> refused(const Mesh& mesh, double tolerance) {
   if (!mesh.patches.empty() && mesh.patches.size() != mesh.triangles.size()) {
     return Error{Code::bad_option, 0, "patches must be one a triangle, or none"};
   }
-  if (tolerance > longest_side(mesh) / 100) {
+  if (tolerance > longest_side(box_of(mesh.view())) / 100) {
     return Error{Code::bad_option, 0, "weld tolerance is more than a hundredth of the mesh's longest side"};
   }
   return std::nullopt;

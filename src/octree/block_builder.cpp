@@ -40,29 +40,17 @@ bool BlockBuilder::may_cross(const OpenCell& cell) const {
   const double away = distance_between(lattice_.centre(cell.cell), cell.dominators[0]);
   const double slack = 4 * estimate_error * lattice_.reach();
   if (away - slack > diagonal_above(box) / 2) return false;
-  std::vector<std::uint32_t> nodes;
-  for (const Entry& entry : cell.list) {
-    nodes.assign(1, entry.node());
-    while (!nodes.empty()) {
-      const std::uint32_t index = nodes.back();
-      const BvhNode& node = space_.bvh.nodes[index];
-      nodes.pop_back();
-      const bool apart = node.box.lo.x > box.hi.x || node.box.hi.x < box.lo.x || node.box.lo.y > box.hi.y ||
-                         node.box.hi.y < box.lo.y || node.box.lo.z > box.hi.z || node.box.hi.z < box.lo.z;
-      if (apart) continue;
-      if (!node.is_group()) {
-        nodes.push_back(space_.bvh.right(index));
-        nodes.push_back(space_.bvh.left(index));
-        continue;
-      }
-      const TriangleGroup& group = space_.triangles.groups[node.first_group];
-      for (std::size_t lane = 0; lane < space_.triangles.lanes(node.first_group); ++lane) {
-        if (may_touch({group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)}, box))
-          return true;
-      }
+  const auto enter = [&](std::uint32_t index) { return overlap(space_.bvh.nodes[index].box, box); };
+  const auto misses = [&](std::uint32_t index) {
+    const std::uint32_t number = space_.bvh.nodes[index].first_group;
+    const TriangleGroup& group = space_.triangles.groups[number];
+    for (std::size_t lane = 0; lane < space_.triangles.lanes(number); ++lane) {
+      if (may_touch({group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)}, box)) return false;
     }
-  }
-  return false;
+    return true;
+  };
+  return !std::all_of(cell.list.begin(), cell.list.end(),
+                      [&](const Entry& entry) { return walk(space_.bvh, entry.node(), enter, misses); });
 }
 
 void BlockBuilder::close(Growing&& cell) {

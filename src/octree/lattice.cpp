@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/box_distance.h"
 #include "geometry/query_range.h"
 
 namespace cdfr {
@@ -65,7 +66,7 @@ double Lattice::grown() const noexcept {
 }
 
 Lattice lattice_for(const Box& mesh, double margin) noexcept {
-  const double longest = std::max({mesh.hi.x - mesh.lo.x, mesh.hi.y - mesh.lo.y, mesh.hi.z - mesh.lo.z});
+  const double longest = longest_side(mesh);
   const double largest = std::max(largest_magnitude(mesh.lo), largest_magnitude(mesh.hi));
   const double grow = margin * longest;
   const Box box{{mesh.lo.x - grow, mesh.lo.y - grow, mesh.lo.z - grow},

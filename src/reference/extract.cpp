@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/collected_points.h"
 #include "core/floating_environment.h"
 #include "core/parallel.h"
 #include "reference/base_triangle.h"
@@ -124,15 +125,6 @@ class UniformExtraction {
   UniformContourReport report_;
 };
 
-class Collector : public PointSink {
- public:
-  Result<void> write(std::span<const ContourPoint> points) override {
-    collected.insert(collected.end(), points.begin(), points.end());
-    return {};
-  }
-  std::vector<ContourPoint> collected;
-};
-
 }  // namespace
 
 std::vector<std::size_t> voxels_near(const UniformData& data, double depth) {
@@ -167,10 +159,10 @@ Result<UniformContourReport> contour_points(const UniformField& field, double de
 
 Result<std::vector<ContourPoint>> contour_points(const UniformField& field, double depth,
                                                  const UniformContourOptions& options, const Run& run) {
-  Collector collector;
-  const Result<UniformContourReport> report = contour_points(field, depth, options, collector, run);
+  CollectedPoints collected;
+  const Result<UniformContourReport> report = contour_points(field, depth, options, collected, run);
   if (!report) return report.error();
-  return std::move(collector.collected);
+  return std::move(collected.points);
 }
 
 }  // namespace cdfr

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/box_distance.h"
 #include "octree/key.h"
 
 namespace cdfr {
@@ -38,7 +39,7 @@ std::vector<std::uint64_t> sorted_keys(std::span<const ContourPoint> points, con
 }  // namespace
 
 double spacing_on_surface(std::span<const ContourPoint> points, const Box& box) {
-  const double side = std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
+  const double side = longest_side(box);
   if (points.empty() || !(side > 0)) return 0;
   const auto keys = sorted_keys(points, box, side);
   // Two neighbours in Morton order are in different cubes up to the coarsest level at which their keys
