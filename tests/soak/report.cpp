@@ -50,13 +50,7 @@ void Report::finding_line(const std::string& name, const Finding& finding) const
 void Report::tried(const Candidate& candidate, const Outcome& outcome, double seconds) {
   ++meshes_;
   trial_seconds_ += seconds;
-  sum_.points += outcome.points;
-  sum_.on_surface += outcome.on_surface;
-  sum_.too_close += outcome.too_close;
-  sum_.close += outcome.close;
-  sum_.wrong += outcome.wrong;
-  sum_.asked_twice += outcome.asked_twice;
-  sum_.oracles_disagree += outcome.oracles_disagree;
+  sum_.add_counts(outcome);
   std::printf("%-46s %9zu %10" PRIu64 " %6" PRIu64 " %6" PRIu64 " %10" PRIu64 " %9" PRIu64 " %8.2f  %s\n",
               candidate.name.c_str(), candidate.mesh.triangles.size(), outcome.points, outcome.wrong,
               outcome.close, outcome.on_surface, outcome.too_close, seconds, candidate.text.c_str());

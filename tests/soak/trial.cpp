@@ -82,13 +82,7 @@ class Trial {
 };
 
 void join(Outcome& all, const Outcome& part) {
-  all.points += part.points;
-  all.on_surface += part.on_surface;
-  all.too_close += part.too_close;
-  all.close += part.close;
-  all.wrong += part.wrong;
-  all.asked_twice += part.asked_twice;
-  all.oracles_disagree += part.oracles_disagree;
+  all.add_counts(part);
   for (const Finding& finding : part.first_wrong) append(all.first_wrong, finding);
   for (const Finding& finding : part.first_close) append(all.first_close, finding);
   for (const Vec3& p : part.first_disagreed) append(all.first_disagreed, p);
@@ -116,6 +110,16 @@ const char* text_of(Verdict verdict) noexcept {
       return "winding number neither 0 nor 1";
   }
   return "";
+}
+
+void Outcome::add_counts(const Outcome& part) noexcept {
+  points += part.points;
+  on_surface += part.on_surface;
+  too_close += part.too_close;
+  close += part.close;
+  wrong += part.wrong;
+  asked_twice += part.asked_twice;
+  oracles_disagree += part.oracles_disagree;
 }
 
 Finding judge(const Field& field, const SideOracle& oracle, double largest, Vec3 point) {

@@ -44,6 +44,8 @@ struct Outcome {
   std::uint64_t oracles_disagree = 0;
   std::vector<Finding> first_wrong, first_close;  ///< a few, in the order of the points
   std::vector<Vec3> first_disagreed;
+
+  void add_counts(const Outcome& part) noexcept;
 };
 
 struct TrialOptions {
