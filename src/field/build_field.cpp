@@ -97,6 +97,15 @@ void index_leaves(FieldData& field) {
   for (const Block& block : field.tree.blocks) {
     field.first_leaf.push_back(field.first_leaf.back() + block.leaves.size());
   }
+  field.index = LeafIndex(field.tree);
+}
+
+void derive_scan_groups(FieldData& field) {
+  const Lattice& lattice = field.tree.lattice;
+  field.scan_groups.resize(field.triangles.groups.size());
+  tbb::parallel_for(std::size_t{0}, field.scan_groups.size(), [&](std::size_t i) {
+    field.scan_groups[i] = scan_group(field.triangles.groups[i], lattice.origin, lattice.edge);
+  });
 }
 
 Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options, Progress& progress) {
@@ -132,10 +141,13 @@ Result<FieldData> build_field(MeshView mesh, const BuildOptions& options, const 
     progress.step();
     const Lattice lattice = lattice_for(field->bounds(), options.margin);
     field->tree = build_octree(field->space(), lattice, options, progress);
-    if (!progress.cancelled()) set_sides(*field, progress);
+    if (progress.cancelled()) return;
+    derive_scan_groups(*field);
+    index_leaves(*field);
+    set_sides(*field, progress);
+    index_leaves(*field);
   });
   if (progress.cancelled()) return Progress::error();
-  if (field) index_leaves(*field);
   return field;
 }
 

@@ -16,5 +16,6 @@ Result<FieldData> build_field(MeshView mesh, const BuildOptions& options, const 
 /// What follows from the rest and is not stored: far_side and winding; first_leaf.
 void derive_sides(FieldData& field);
 void index_leaves(FieldData& field);
+void derive_scan_groups(FieldData& field);
 
 }  // namespace cdfr

@@ -7,9 +7,10 @@
 #include "cdfr/field/field.h"
 #include "field/sign.h"
 #include "field/winding.h"
+#include "geometry/scan_group.h"
 #include "mesh/bvh.h"
 #include "mesh/triangles.h"
-#include "octree/blocks.h"
+#include "octree/leaf_index.h"
 
 namespace cdfr {
 
@@ -28,6 +29,8 @@ struct FieldData {
   /// pseudonormals decide, 0 where it depends on the point.
   int far_side = 0;
   std::vector<std::uint64_t> first_leaf;  ///< leaves before each block
+  LeafIndex index;
+  std::vector<ScanGroup> scan_groups;
 
   SearchSpace space() const noexcept { return {triangles, bvh}; }
   const Box& bounds() const noexcept { return bvh.nodes[0].box; }

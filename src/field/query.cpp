@@ -8,10 +8,10 @@
 
 #include "core/floating_environment.h"
 #include "core/vector.h"
-#include "field/locate.h"
 #include "field/side.h"
 #include "geometry/box_distance.h"
 #include "geometry/query_range.h"
+#include "octree/scan.h"
 #include "octree/search.h"
 
 namespace cdfr {
@@ -140,15 +140,28 @@ double size_of(const FieldData& field, const Vec3& p) noexcept {
       {largest_magnitude(p), largest_magnitude(field.bounds().lo), largest_magnitude(field.bounds().hi)});
 }
 
-Finding find_closest(const FieldData& field, const Vec3& p) noexcept {
-  const Lattice& lattice = field.tree.lattice;
-  if (const std::optional<Located> at = locate(field.tree, p)) {
+Finding closest_in_leaf(const FieldData& field, const Vec3& p, const LatticePoint& point,
+                        const Located& leaf) noexcept {
+  Finding finding;
+  Candidates candidates;
+  if (scan(field.scan_groups.data(), leaf.entries, point.at, leaf.from_centre, candidates)) {
+    Race race(p, field.triangles, size_of(field, p));
+    for (std::uint32_t i = 0; i < candidates.count; ++i) race.challenge(candidates.slots[i]);
+    finding = race.finding();
+  } else {
+    const Lattice& lattice = field.tree.lattice;
     Search search(field.space(), p, lattice.reach(), Contenders(p, field));
-    search.list(at->entries(), lattice.edge,
-                distance_between(p, lattice.centre(at->cell)) * (1 + 8 * unit_roundoff));
-    Finding finding = search.accept().settle(search.reject());
-    finding.leaf = at->leaf->side();
-    return finding;
+    search.list(leaf.entries, lattice.edge, leaf.from_centre * lattice.edge);
+    finding = search.accept().settle(search.reject());
+  }
+  finding.leaf = leaf.side;
+  return finding;
+}
+
+Finding find_closest(const FieldData& field, const Vec3& p) noexcept {
+  if (!field.index.empty() && field.index.contains(p)) {
+    const LatticePoint point = field.index.place(p);
+    return closest_in_leaf(field, p, point, field.index.at(point, field.index.leaf(point)));
   }
   Search search(field.space(), p, reach_of(field.bounds(), p), Contenders(p, field));
   search.descend(0);

@@ -50,7 +50,7 @@ bool BlockBuilder::may_cross(const OpenCell& cell) const {
     return true;
   };
   return !std::all_of(cell.list.begin(), cell.list.end(),
-                      [&](const Entry& entry) { return walk(space_.bvh, entry.node(), enter, misses); });
+                      [&](const Entry& entry) { return walk(space_.bvh, node_of(space_.bvh, entry), enter, misses); });
 }
 
 void BlockBuilder::close(Growing&& cell) {

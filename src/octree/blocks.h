@@ -11,32 +11,47 @@
 
 namespace cdfr {
 
-/// One CDD tuple of a leaf's influence list: a BVH node, most often a single group, and a distance from the
-/// leaf's centre that none of its kept triangles goes below, in units of the lattice's edge. Eight bits of
-/// the distance's mantissa give way to the lanes: bit i says that triangle i of the group may win in this
-/// leaf. All lanes are set for larger nodes.
+/// One CDD tuple of a leaf's influence list: a group of triangles, or a BVH node above several groups, and a
+/// distance from the leaf's centre that none of its kept triangles goes below, in units of the lattice's
+/// edge. Eight bits of the distance's mantissa give way to the lanes: bit i says that triangle i of the group
+/// may win in this leaf. All lanes are set for nodes.
 class Entry {
  public:
   Entry() = default;
   /// `distance` is rounded down.
-  Entry(std::uint32_t node, double distance, std::uint8_t lanes) noexcept : node_(node) {
+  static Entry of_group(std::uint32_t group, double distance, std::uint8_t lanes) noexcept {
+    return {group, distance, lanes};
+  }
+  static Entry of_node(std::uint32_t node, double distance) noexcept {
+    return {node | node_bit, distance, 0xff};
+  }
+
+  bool is_group() const noexcept { return (place_ & node_bit) == 0; }
+  /// Of the group or of the node.
+  std::uint32_t number() const noexcept { return place_ & ~node_bit; }
+  std::uint8_t lanes() const noexcept { return static_cast<std::uint8_t>(packed_ & 0xffU); }
+  float distance() const noexcept { return std::bit_cast<float>(packed_ & ~0xffU); }
+
+  /// The order of a list.
+  friend bool operator<(const Entry& a, const Entry& b) noexcept {
+    return a.distance() != b.distance() ? a.distance() < b.distance() : a.place_ < b.place_;
+  }
+
+ private:
+  static constexpr std::uint32_t node_bit = 0x80000000U;
+  Entry(std::uint32_t place, double distance, std::uint8_t lanes) noexcept : place_(place) {
     auto f = static_cast<float>(distance);
     auto bits = std::bit_cast<std::uint32_t>(f);
     if (bits != 0 && static_cast<double>(f) > distance) --bits;
     packed_ = (bits & ~0xffU) | lanes;
   }
 
-  std::uint32_t node() const noexcept { return node_; }
-  std::uint8_t lanes() const noexcept { return static_cast<std::uint8_t>(packed_ & 0xffU); }
-  float distance() const noexcept { return std::bit_cast<float>(packed_ & ~0xffU); }
-
- private:
-  std::uint32_t node_ = 0;
+  std::uint32_t place_ = 0;
   std::uint32_t packed_ = 0;
 };
 
-/// A leaf's list is entries[first] .. entries[first + count - 1] of its block, ascending by distance, then
-/// node.
+/// A leaf's list is entries[first] .. entries[first + count - 1] of its block, ascending as entries
+/// compare.
 struct LeafRecord {
   std::uint32_t first = 0;
   std::uint32_t count_and_side = 0;  ///< count * 4 + side

@@ -48,11 +48,9 @@ class Refinement {
   }
 
   std::array<OpenCell, 8> run() {
-    for (const Entry& entry : parent_.list) sift(entry.node(), entry.lanes(), wanted_);
+    for (const Entry& entry : parent_.list) sift(node_of(space_.bvh, entry), entry.lanes(), wanted_);
     for (OpenCell& child : children_) {
-      std::sort(child.list.begin(), child.list.end(), [](const Entry& a, const Entry& b) {
-        return a.distance() != b.distance() ? a.distance() < b.distance() : a.node() < b.node();
-      });
+      std::sort(child.list.begin(), child.list.end());
     }
     return std::move(children_);
   }
@@ -194,7 +192,9 @@ class Refinement {
     const BvhNode& node = space_.bvh.nodes[index];
     OpenCell& cell = children_[child];
     // One part in 2^50 less covers the root and the division by a power of two's neighbours.
-    cell.list.emplace_back(index, std::max(distance * (1 - 0x1p-50) / lattice_.edge, 0.0), lanes);
+    const double below = std::max(distance * (1 - 0x1p-50) / lattice_.edge, 0.0);
+    cell.list.push_back(node.is_group() ? Entry::of_group(node.first_group, below, lanes)
+                                        : Entry::of_node(index, below));
     cell.triangles +=
         node.is_group() ? static_cast<std::uint64_t>(std::popcount(lanes)) : triangles_below(node);
   }
@@ -222,7 +222,8 @@ class Refinement {
 
 OpenCell root_cell(SearchSpace space) {
   OpenCell root;
-  root.list.emplace_back(0U, 0.0, std::uint8_t{0xff});
+  const bool single = space.bvh.nodes[0].is_group();
+  root.list.push_back(single ? Entry::of_group(0, 0, 0xff) : Entry::of_node(0, 0));
   root.triangles = space.triangles.size();
   root.dominators.fill(space.triangles.groups[0].vertex(0, 0));
   return root;

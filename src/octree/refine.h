@@ -15,7 +15,7 @@
 namespace cdfr {
 
 /// A cell under construction. Its list is complete (influence.h), ascending by a lower bound on the distance
-/// from the centre, then by node.
+/// from the centre.
 struct OpenCell {
   Cell cell;
   std::vector<Entry> list;

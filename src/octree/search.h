@@ -17,6 +17,11 @@
 
 namespace cdfr {
 
+/// The BVH node that an entry stands for.
+inline std::uint32_t node_of(const Bvh& bvh, const Entry& entry) noexcept {
+  return entry.is_group() ? bvh.group_nodes[entry.number()] : entry.number();
+}
+
 /// `Accept` is called with (slot, estimated squared distance) for each triangle that is not yet known to
 /// lose: at the end, those accepted with a value of at most `reject()` include every triangle whose distance
 /// is least, even by the last bit of the kernel. With eps = estimate_error * R a triangle whose estimate
@@ -41,10 +46,10 @@ class Search {
   void list(std::span<const Entry> entries, double unit, double from_centre) noexcept {
     for (const Entry& entry : entries) {
       if (entry.distance() * unit - from_centre > radius_) break;
-      if (space_.bvh.nodes[entry.node()].is_group()) {
-        group(space_.bvh.nodes[entry.node()].first_group, entry.lanes());
+      if (entry.is_group()) {
+        group(entry.number(), entry.lanes());
       } else {
-        descend(entry.node());
+        descend(entry.number());
       }
     }
   }

@@ -201,11 +201,14 @@ bool good_leaf(const FieldData& field, const Block& block, const LeafRecord& lea
   if (std::uint64_t{leaf.first} + leaf.count() > block.entries.size()) return false;
   for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count(); ++i) {
     const Entry& entry = block.entries[i];
-    if (entry.node() >= field.bvh.nodes.size() || !(entry.distance() >= 0)) return false;
-    if (i > leaf.first && entry.distance() < block.entries[i - 1].distance()) return false;
-    const BvhNode& node = field.bvh.nodes[entry.node()];
-    if (node.is_group() && (entry.lanes() & ((1U << field.triangles.lanes(node.first_group)) - 1)) == 0)
+    if (!(entry.distance() >= 0) || (i > leaf.first && entry < block.entries[i - 1])) return false;
+    const std::uint32_t number = entry.number();
+    if (entry.is_group()) {
+      if (number >= field.triangles.groups.size()) return false;
+      if ((entry.lanes() & ((1U << field.triangles.lanes(number)) - 1)) == 0) return false;
+    } else if (number >= field.bvh.nodes.size() || entry.lanes() != 0xff) {
       return false;
+    }
   }
   return true;
 }

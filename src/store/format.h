@@ -1,4 +1,4 @@
-/// Layout of a .cdfr file, version 2.
+/// Layout of a .cdfr file, version 3.
 ///
 /// All numbers are little endian. A head of 64 bytes, then sections one after another, each beginning on a
 /// multiple of 64 bytes: section i holds counts[i] elements of the size below, zero padded to the next
@@ -7,7 +7,7 @@
 /// | bytes | head |
 /// | --- | --- |
 /// | 0-7 | magic "cdfr\r\n\x1a\n" |
-/// | 8-11 | version, 2 |
+/// | 8-11 | version, 3 |
 /// | 12-15 | number of sections |
 /// | 16-23 | size of the whole file |
 /// | 24-63 | zero |
@@ -29,7 +29,7 @@
 namespace cdfr::format {
 
 inline constexpr std::array<char, 8> magic{'c', 'd', 'f', 'r', '\r', '\n', '\x1a', '\n'};
-inline constexpr std::uint32_t version = 2;
+inline constexpr std::uint32_t version = 3;
 inline constexpr std::size_t alignment = 64;
 
 enum Section : std::size_t {

@@ -1,0 +1,69 @@
+/// From a point to its leaf in few dependent loads: a dense grid over the brick, then tables of eight
+/// children. Derived from the octree, and not stored.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cdfr/core/types.h"
+#include "octree/blocks.h"
+
+namespace cdfr {
+
+/// A point in units of the lattice's edge, from the lattice's origin, and its place on the deepest level.
+struct LatticePoint {
+  Vec3 at;
+  std::array<std::uint32_t, 3> place;
+};
+
+/// A leaf as a query at a point in it wants it.
+struct Located {
+  std::span<const Entry> entries;
+  Side side = Side::undecided;
+  double from_centre = 0;  ///< distance of the point from the leaf's centre in edges, rounded up
+};
+
+class LeafIndex {
+ public:
+  LeafIndex() = default;
+  /// The octree's blocks must outlive the index and keep their arrays in place.
+  explicit LeafIndex(const Octree& tree);
+
+  bool empty() const noexcept { return leaves_.empty(); }
+  /// The half-open brick, where locate answers.
+  bool contains(const Vec3& p) const noexcept {
+    return p.x >= domain_.lo.x && p.x < domain_.hi.x && p.y >= domain_.lo.y && p.y < domain_.hi.y &&
+           p.z >= domain_.lo.z && p.z < domain_.hi.z;
+  }
+
+  /// Three steps to the leaf whose half-open cell holds p; each reads what the one before has found, so that
+  /// a caller with many points can let the reads overlap. Precondition: contains(p).
+  LatticePoint place(const Vec3& p) const noexcept;
+  std::uint32_t leaf(const LatticePoint& point) const noexcept;
+  Located at(const LatticePoint& point, std::uint32_t leaf) const noexcept;
+
+  void prefetch(std::uint32_t leaf) const noexcept { __builtin_prefetch(&leaves_[leaf]); }
+  std::uint64_t bytes() const noexcept;
+
+ private:
+  struct Leaf {
+    const Entry* entries;
+    std::uint32_t count_and_side;
+    std::uint32_t level;
+  };
+
+  class Maker;
+
+  Vec3 origin_;
+  Box domain_;
+  double scale_ = 1;                      ///< edges in a unit of length
+  std::array<std::uint32_t, 3> cells_{};  ///< of the grid, along each axis
+  int grid_level_ = 0;
+  std::vector<TreeNode> grid_;
+  std::vector<TreeNode> nodes_;  ///< eight children each, below the grid's level
+  std::vector<Leaf> leaves_;     ///< in Morton order
+};
+
+}  // namespace cdfr

@@ -1,0 +1,239 @@
+#include "octree/scan.h"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+// Highway compiles this file once for each instruction set and picks one when the program runs. SVE is left
+// out: its vectors have no size at compile time; arm64 takes NEON.
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "octree/scan.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace cdfr {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+/// Two groups at once where vectors are wide enough.
+constexpr std::size_t pair_size = 2 * group_size;
+using Tag = hn::CappedTag<float, pair_size>;
+using Vector = hn::Vec<Tag>;
+constexpr std::size_t lane_count = hn::MaxLanes(Tag());
+
+struct Vector3 {
+  Vector x, y, z;
+};
+
+HWY_INLINE Vector3 operator-(const Vector3& a, const Vector3& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE Vector dot(const Vector3& a, const Vector3& b) {
+  return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
+}
+HWY_INLINE Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+HWY_INLINE Vector sum_of_magnitudes(const Vector3& a) {
+  return hn::Add(hn::Add(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
+}
+
+/// Two groups of a list; the second may be the first again, without lanes of its own.
+struct Pair {
+  const ScanGroup* groups[2];
+  float from[2][3];  ///< the point from each group's origin
+};
+
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+HWY_INLINE Vector load_row(const float* first, const float* second, std::size_t) {
+  const Tag d;
+  const hn::Half<Tag> half;
+  return hn::Combine(d, hn::Load(half, second), hn::Load(half, first));
+}
+HWY_INLINE Vector spread(float first, float second, std::size_t) {
+  const Tag d;
+  const hn::Half<Tag> half;
+  return hn::Combine(d, hn::Set(half, second), hn::Set(half, first));
+}
+#else
+HWY_INLINE Vector load_row(const float* first, const float* second, std::size_t lane) {
+  return hn::Load(Tag(), (lane < group_size ? first : second) + lane % group_size);
+}
+HWY_INLINE Vector spread(float first, float second, std::size_t lane) {
+  return hn::Set(Tag(), lane < group_size ? first : second);
+}
+#endif
+
+HWY_INLINE Vector3 load_rows(const float (&first)[3][group_size], const float (&second)[3][group_size],
+                             std::size_t lane) {
+  return {load_row(first[0], second[0], lane), load_row(first[1], second[1], lane),
+          load_row(first[2], second[2], lane)};
+}
+
+struct Beside {
+  Vector squared;        ///< distance from the segment
+  hn::Mask<Tag> inside;  ///< the projection is certainly on the inner side
+};
+
+/// One edge: e its direction, r the point minus its first vertex, n the triangle's unit normal.
+HWY_INLINE Beside beside(const Vector3& e, const Vector3& r, const Vector3& n) {
+  const Tag d;
+  const Vector length = hn::Max(dot(e, e), hn::Set(d, std::numeric_limits<float>::min()));
+  const Vector ratio = hn::Div(dot(r, e), length);
+  const Vector t = hn::Max(hn::Min(ratio, hn::Set(d, 1.0F)), hn::Zero(d));
+  const Vector3 o{hn::NegMulAdd(e.x, t, r.x), hn::NegMulAdd(e.y, t, r.y), hn::NegMulAdd(e.z, t, r.z)};
+  const Vector doubt =
+      hn::Mul(hn::Set(d, 16 * 0x1p-24F), hn::Mul(sum_of_magnitudes(e), sum_of_magnitudes(r)));
+  return {dot(o, o), hn::Gt(dot(cross(e, r), n), doubt)};
+}
+
+/// Squared distances to the triangles of as many lanes as the instruction set has, from `lane` on.
+HWY_INLINE Vector estimated(const Pair& pair, std::size_t lane) {
+  const ScanGroup &g = *pair.groups[0], &h = *pair.groups[1];
+  const Vector3 p{spread(pair.from[0][0], pair.from[1][0], lane),
+                  spread(pair.from[0][1], pair.from[1][1], lane),
+                  spread(pair.from[0][2], pair.from[1][2], lane)};
+  const Vector3 a = load_rows(g.vertices[0], h.vertices[0], lane);
+  const Vector3 b = load_rows(g.vertices[1], h.vertices[1], lane);
+  const Vector3 c = load_rows(g.vertices[2], h.vertices[2], lane);
+  const Vector3 n = load_rows(g.normals, h.normals, lane);
+  const Vector3 from_a = p - a;
+  const Beside ab = beside(b - a, from_a, n);
+  const Beside bc = beside(c - b, p - b, n);
+  const Beside ca = beside(a - c, p - c, n);
+  const Vector least = hn::Min(hn::Min(ab.squared, bc.squared), ca.squared);
+  const auto inside = hn::And(hn::And(ab.inside, bc.inside), ca.inside);
+  const Vector height = dot(from_a, n);
+  return hn::IfThenElse(inside, hn::Mul(height, height), least);
+}
+
+/// A scan under way.
+class Scan {
+ public:
+  Scan(const ScanGroup* groups, const Vec3& point, Candidates& candidates)
+      : groups_(groups), point_(point), found_(candidates) {
+    found_.count = 0;
+  }
+
+  float upper() const { return upper_; }
+
+  /// False if there is no room.
+  bool take(const Entry& first, const Entry* second) {
+    Pair pair;
+    place(pair, 0, first);
+    place(pair, 1, second != nullptr ? *second : first);
+    const unsigned lanes = first.lanes() | (second != nullptr ? unsigned{second->lanes()} << group_size : 0U);
+    HWY_ALIGN float squared[pair_size];
+    unsigned close = 0;
+    float least = std::numeric_limits<float>::infinity();
+    const Tag d;
+    for (std::size_t lane = 0; lane < pair_size; lane += lane_count) {
+      const Vector estimate = estimated(pair, lane);
+      hn::Store(estimate, d, squared + lane);
+      const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> lane),
+                                    static_cast<std::uint8_t>(lanes >> lane >> 8)};
+      const auto used = hn::LoadMaskBits(d, bits);
+      const auto within = hn::And(used, hn::Le(estimate, hn::Set(d, reject_)));
+      std::uint8_t kept[8] = {};
+      hn::StoreMaskBits(d, within, kept);
+      const unsigned mask = (kept[0] | unsigned{kept[1]} << 8) & ((1U << lane_count) - 1);
+      if (mask == 0) continue;
+      close |= mask << lane;
+      least = std::min(least,
+                       hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(within, estimate, hn::Set(d, least)))));
+    }
+    if (close == 0) return true;
+    lower(least, std::max(pair.groups[0]->reach, pair.groups[1]->reach));
+    for (; close != 0; close &= close - 1) {
+      const auto lane = static_cast<unsigned>(std::countr_zero(close));
+      if (squared[lane] > reject_) continue;
+      const std::uint32_t group = (lane < group_size ? first : *second).number();
+      found_.slots[found_.count] = group * static_cast<std::uint32_t>(group_size) + lane % group_size;
+      found_.squared[found_.count++] = squared[lane];
+    }
+    if (found_.count + pair_size <= found_.slots.size()) return true;
+    thin();
+    return found_.count + pair_size <= found_.slots.size();
+  }
+
+  void thin() {
+    std::uint32_t kept = 0;
+    for (std::uint32_t i = 0; i < found_.count; ++i) {
+      if (found_.squared[i] > reject_) continue;
+      found_.slots[kept] = found_.slots[i];
+      found_.squared[kept++] = found_.squared[i];
+    }
+    found_.count = kept;
+  }
+
+ private:
+  void place(Pair& pair, int which, const Entry& entry) const {
+    const ScanGroup& group = groups_[entry.number()];
+    pair.groups[which] = &group;
+    pair.from[which][0] = static_cast<float>(point_.x - group.origin[0]);
+    pair.from[which][1] = static_cast<float>(point_.y - group.origin[1]);
+    pair.from[which][2] = static_cast<float>(point_.z - group.origin[2]);
+  }
+
+  void lower(float squared, float reach) {
+    reach_ = std::max(reach_, reach);
+    const float upper = (std::sqrt(squared) + scan_error * reach + scan_floor) * (1 + 2 * scan_error);
+    if (upper < upper_) upper_ = upper;
+    const float beyond = (upper_ + scan_error * reach_ + scan_floor) * (1 + 2 * scan_error);
+    reject_ = beyond * beyond;
+  }
+
+  const ScanGroup* groups_;
+  Vec3 point_;
+  Candidates& found_;
+  float reach_ = 0;  ///< largest of the groups so far that were close
+  float upper_ = std::numeric_limits<float>::infinity();
+  float reject_ = std::numeric_limits<float>::infinity();
+};
+
+/// Groups ahead of the scan whose lines are called for.
+constexpr std::size_t ahead = 4;
+
+HWY_INLINE void call_for(const ScanGroup* groups, std::span<const Entry> list, std::size_t first,
+                         std::size_t count) {
+  for (std::size_t i = first; i < std::min(first + count, list.size()) && list[i].is_group(); ++i) {
+    prefetch(groups[list[i].number()]);
+  }
+}
+
+bool scan_here(const ScanGroup* groups, std::span<const Entry> list, const Vec3& point, double from_centre,
+               Candidates& candidates) {
+  Scan scan(groups, point, candidates);
+  const auto within = [&](const Entry& entry) { return entry.distance() - from_centre <= scan.upper(); };
+  call_for(groups, list, 0, ahead);
+  for (std::size_t i = 0; i < list.size() && within(list[i]);) {
+    call_for(groups, list, i + ahead, 2);
+    if (!list[i].is_group()) return false;
+    const bool two = i + 1 < list.size() && list[i + 1].is_group() && within(list[i + 1]);
+    if (!scan.take(list[i], two ? &list[i + 1] : nullptr)) return false;
+    i += two ? 2 : 1;
+  }
+  scan.thin();
+  return true;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cdfr
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cdfr {
+
+HWY_EXPORT(scan_here);
+
+bool scan(const ScanGroup* groups, std::span<const Entry> list, const Vec3& point, double from_centre,
+          Candidates& candidates) noexcept {
+  return HWY_DYNAMIC_DISPATCH(scan_here)(groups, list, point, from_centre, candidates);
+}
+
+}  // namespace cdfr
+#endif
