@@ -12,7 +12,7 @@ namespace cdfr {
 namespace {
 
 /// Entries of a list whose groups are called for before it is looked through.
-constexpr std::size_t called_groups = 4;
+constexpr std::size_t called_groups = 8;
 
 class Bundle {
  public:

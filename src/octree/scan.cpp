@@ -1,5 +1,6 @@
 #include "octree/scan.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -45,13 +46,15 @@ HWY_INLINE Vector sum_of_magnitudes(const Vector3& a) {
 /// Two groups of a list; the second may be the first again, without lanes of its own.
 struct Pair {
   const ScanGroup* groups[2];
-  float from[2][3];  ///< the point from each group's origin
+  float from[2][3];  ///< the point from each group's origin, in its unit
 };
 
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
-HWY_INLINE Vector load_row(const float* first, const float* second, std::size_t) {
-  const Tag d;
-  const hn::Half<Tag> half;
+/// One row of both groups.
+template <class T>
+HWY_INLINE hn::Vec<hn::Rebind<T, Tag>> load_row(const T* first, const T* second, std::size_t) {
+  const hn::Rebind<T, Tag> d;
+  const hn::Half<decltype(d)> half;
   return hn::Combine(d, hn::Load(half, second), hn::Load(half, first));
 }
 HWY_INLINE Vector spread(float first, float second, std::size_t) {
@@ -60,18 +63,35 @@ HWY_INLINE Vector spread(float first, float second, std::size_t) {
   return hn::Combine(d, hn::Set(half, second), hn::Set(half, first));
 }
 #else
-HWY_INLINE Vector load_row(const float* first, const float* second, std::size_t lane) {
-  return hn::Load(Tag(), (lane < group_size ? first : second) + lane % group_size);
+/// One row's lanes from `lane` on, the first group's before the second's.
+template <class T>
+HWY_INLINE hn::Vec<hn::Rebind<T, Tag>> load_row(const T* first, const T* second, std::size_t lane) {
+  return hn::Load(hn::Rebind<T, Tag>(), (lane < group_size ? first : second) + lane % group_size);
 }
 HWY_INLINE Vector spread(float first, float second, std::size_t lane) {
   return hn::Set(Tag(), lane < group_size ? first : second);
 }
 #endif
 
-HWY_INLINE Vector3 load_rows(const float (&first)[3][group_size], const float (&second)[3][group_size],
-                             std::size_t lane) {
+HWY_INLINE Vector whole(hn::Vec<hn::Rebind<std::int16_t, Tag>> v) {
+  return hn::ConvertTo(Tag(), hn::PromoteTo(hn::Rebind<std::int32_t, Tag>(), v));
+}
+
+HWY_INLINE Vector3 vertex(const Pair& pair, int corner, std::size_t lane) {
+  const auto &first = pair.groups[0]->vertices[corner], &second = pair.groups[1]->vertices[corner];
+  return {whole(load_row(first[0], second[0], lane)), whole(load_row(first[1], second[1], lane)),
+          whole(load_row(first[2], second[2], lane))};
+}
+
+HWY_INLINE Vector3 normal(const Pair& pair, std::size_t lane) {
+  const auto &first = pair.groups[0]->normals, &second = pair.groups[1]->normals;
   return {load_row(first[0], second[0], lane), load_row(first[1], second[1], lane),
           load_row(first[2], second[2], lane)};
+}
+
+HWY_INLINE Vector3 point(const Pair& pair, std::size_t lane) {
+  return {spread(pair.from[0][0], pair.from[1][0], lane), spread(pair.from[0][1], pair.from[1][1], lane),
+          spread(pair.from[0][2], pair.from[1][2], lane)};
 }
 
 struct Beside {
@@ -91,16 +111,10 @@ HWY_INLINE Beside beside(const Vector3& e, const Vector3& r, const Vector3& n) {
   return {dot(o, o), hn::Gt(dot(cross(e, r), n), doubt)};
 }
 
-/// Squared distances to the triangles of as many lanes as the instruction set has, from `lane` on.
+/// Squared distances, in edges, to the triangles of as many lanes as the instruction set has, from `lane` on.
 HWY_INLINE Vector estimated(const Pair& pair, std::size_t lane) {
-  const ScanGroup &g = *pair.groups[0], &h = *pair.groups[1];
-  const Vector3 p{spread(pair.from[0][0], pair.from[1][0], lane),
-                  spread(pair.from[0][1], pair.from[1][1], lane),
-                  spread(pair.from[0][2], pair.from[1][2], lane)};
-  const Vector3 a = load_rows(g.vertices[0], h.vertices[0], lane);
-  const Vector3 b = load_rows(g.vertices[1], h.vertices[1], lane);
-  const Vector3 c = load_rows(g.vertices[2], h.vertices[2], lane);
-  const Vector3 n = load_rows(g.normals, h.normals, lane);
+  const Vector3 p = point(pair, lane), n = normal(pair, lane);
+  const Vector3 a = vertex(pair, 0, lane), b = vertex(pair, 1, lane), c = vertex(pair, 2, lane);
   const Vector3 from_a = p - a;
   const Beside ab = beside(b - a, from_a, n);
   const Beside bc = beside(c - b, p - b, n);
@@ -108,7 +122,8 @@ HWY_INLINE Vector estimated(const Pair& pair, std::size_t lane) {
   const Vector least = hn::Min(hn::Min(ab.squared, bc.squared), ca.squared);
   const auto inside = hn::And(hn::And(ab.inside, bc.inside), ca.inside);
   const Vector height = dot(from_a, n);
-  return hn::IfThenElse(inside, hn::Mul(height, height), least);
+  const Vector unit = spread(pair.groups[0]->unit, pair.groups[1]->unit, lane);
+  return hn::Mul(hn::IfThenElse(inside, hn::Mul(height, height), least), hn::Mul(unit, unit));
 }
 
 /// A scan under way.
@@ -147,7 +162,7 @@ class Scan {
                        hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(within, estimate, hn::Set(d, least)))));
     }
     if (close == 0) return true;
-    lower(least, std::max(pair.groups[0]->reach, pair.groups[1]->reach));
+    lower(least, std::max(pair.groups[0]->reach(), pair.groups[1]->reach()));
     for (; close != 0; close &= close - 1) {
       const auto lane = static_cast<unsigned>(std::countr_zero(close));
       if (squared[lane] > reject_) continue;
@@ -174,16 +189,17 @@ class Scan {
   void place(Pair& pair, int which, const Entry& entry) const {
     const ScanGroup& group = groups_[entry.number()];
     pair.groups[which] = &group;
-    pair.from[which][0] = static_cast<float>(point_.x - group.origin[0]);
-    pair.from[which][1] = static_cast<float>(point_.y - group.origin[1]);
-    pair.from[which][2] = static_cast<float>(point_.z - group.origin[2]);
+    const float units = 1 / group.unit;
+    pair.from[which][0] = static_cast<float>(point_.x - group.origin[0]) * units;
+    pair.from[which][1] = static_cast<float>(point_.y - group.origin[1]) * units;
+    pair.from[which][2] = static_cast<float>(point_.z - group.origin[2]) * units;
   }
 
   void lower(float squared, float reach) {
     reach_ = std::max(reach_, reach);
-    const float upper = (std::sqrt(squared) + scan_error * reach + scan_floor) * (1 + 2 * scan_error);
+    const float upper = (std::sqrt(squared) + scan_share * reach + scan_floor) * (1 + 2 * scan_error);
     if (upper < upper_) upper_ = upper;
-    const float beyond = (upper_ + scan_error * reach_ + scan_floor) * (1 + 2 * scan_error);
+    const float beyond = (upper_ + scan_share * reach_ + scan_floor) * (1 + 2 * scan_error);
     reject_ = beyond * beyond;
   }
 
@@ -196,7 +212,7 @@ class Scan {
 };
 
 /// Groups ahead of the scan whose lines are called for.
-constexpr std::size_t ahead = 4;
+constexpr std::size_t ahead = 8;
 
 HWY_INLINE void call_for(const ScanGroup* groups, std::span<const Entry> list, std::size_t first,
                          std::size_t count) {

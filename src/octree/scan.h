@@ -25,11 +25,11 @@ struct Candidates {
 ///
 /// The list ascends: it ends where an entry's distance from the centre exceeds the point's own by more than
 /// the upper bound U on the least distance. With scan_group.h's bound, an estimate e in a group of reach D
-/// says U <= (e + k D + f)(1 + 2k), k = scan_error, f = scan_floor, and rules its triangle out if e > (U + k
-/// D + f)(1 + 2k): then its true distance is above U. The unused half of the bound covers the roundings of U
-/// and of that threshold, and with 2^-48 edges what separates computed distances that tie (2^-88 of the
-/// largest coordinate, below 2^-54 edges). Which others come along differs with the instruction set; they
-/// lose in double-double, so answers do not.
+/// says U <= (e + s D + f)(1 + 2k), k = scan_error, s = scan_share, f = scan_floor, and rules its triangle
+/// out if e > (U + s D + f)(1 + 2k): then its true distance is above U. The unused half of the bound covers
+/// the roundings of U and of that threshold, and with 2^-48 edges what separates computed distances that tie
+/// (2^-88 of the largest coordinate, below 2^-54 edges). Which others come along differs with the instruction
+/// set; they lose in double-double, so answers do not.
 bool scan(const ScanGroup* groups, std::span<const Entry> list, const Vec3& point, double from_centre,
           Candidates& candidates) noexcept;
 

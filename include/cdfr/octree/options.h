@@ -18,9 +18,9 @@ struct BuildOptions {
   /// slower.
   double margin = 0.05;
   /// A cell with a longer list splits, if splitting pays. At least 1.
-  int max_triangles_per_leaf = 64;
+  int max_triangles_per_leaf = 128;
   /// Deepest level of a leaf, 0 to 18; level 0 cells are the cubes of the brick.
-  int max_level = 6;
+  int max_level = 5;
   /// A split is kept if the children's mean list is at most this share of the parent's, and there are about
   /// 65,536 leaves and 32 a triangle at most, so that no choice of the above exhausts memory; 1 keeps every
   /// split.
