@@ -11,7 +11,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "geometry/double_double_lanes-inl.h"
+#include "geometry/double_double_lanes.inc"
 
 HWY_BEFORE_NAMESPACE();
 namespace cdfr {
