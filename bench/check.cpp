@@ -19,11 +19,11 @@ std::size_t differing(std::span<const double> a, std::span<const double> b) {
   return count;
 }
 
-std::size_t differing_in_plane(const System& system, const Contest& contest) {
-  const std::size_t plane = contest.planes_peers.front().first;
-  const std::vector<Vec3> points = contest.grid.planes(plane, 1);
+std::size_t differing_in_plane(const System& system, const Course& course) {
+  const std::size_t plane = course.planes_peers.front().first;
+  const std::vector<Vec3> points = course.grid.planes(plane, 1);
   std::vector<double> filled(points.size()), asked(points.size());
-  system.planes(contest.grid, plane, 1, filled, 1);
+  system.planes(course.grid, plane, 1, filled, 1);
   system.singles(points, asked);
   return differing(filled, asked);
 }
@@ -35,11 +35,11 @@ Check check(const System& system, const Contest& contest) {
   Check result{.points = truth.points.size()};
   std::vector<double> out(truth.points.size());
   system.batch(truth.points, out, 1);
-  result.different = differing(out, truth.distances) + differing_in_plane(system, contest);
+  result.different = differing(out, truth.distances) + differing_in_plane(system, contest.course);
   system.singles(truth.points, out);
   result.different += differing(out, truth.distances);
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const double error = std::abs(std::abs(out[i]) - std::abs(truth.distances[i])) / contest.diagonal;
+    const double error = std::abs(std::abs(out[i]) - std::abs(truth.distances[i])) / contest.course.diagonal;
     // No number at all is the worst that can be said.
     result.worst_error =
         std::max(result.worst_error, std::isnan(error) ? std::numeric_limits<double>::infinity() : error);

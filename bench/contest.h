@@ -1,33 +1,14 @@
-/// One model made ready for a comparison: the same points, and every system built over the same mesh.
+/// Every system made ready over the mesh of one course, and the truth to hold their answers against.
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "cdfr/core/result.h"
-#include "models.h"
-#include "sample_grid.h"
+#include "course.h"
 #include "system.h"
 
 namespace cdfr::bench {
-
-/// How much is measured.
-struct Effort {
-  std::size_t points = 100'000;  ///< of each kind of single query
-  std::size_t batch_points = 1'000'000;
-  std::size_t slabs = 1;  ///< of the grid that cdfr fills: one is all of it
-  std::size_t slab_planes = 256;
-  int rounds = 5;
-  int build_rounds = 5;
-  double checked_triangles = 3e8;  ///< that brute force may look at, for each kind of query
-};
-/// For a look at one model in some seconds.
-Effort quick_effort();
-
-struct Planes {
-  std::size_t first, count;
-};
 
 /// What brute force says.
 struct Truth {
@@ -36,15 +17,7 @@ struct Truth {
 };
 
 struct Contest {
-  Mesh mesh;  ///< coordinates rounded to float, which Embree takes; equal vertices made one
-  double diagonal = 0;
-  std::vector<Vec3> random;  ///< in the mesh's box scaled by 1.1; the first ones of the batch
-  std::vector<Vec3> near;    ///< within 1 % of the diagonal from points spread evenly over the surface
-  std::vector<Vec3> far;     ///< in the box scaled by 10
-  std::vector<Vec3> batch;
-  SampleGrid grid;                   ///< over the box scaled by 1.1
-  std::vector<Planes> planes_cdfr;   ///< those of the grid that cdfr fills
-  std::vector<Planes> planes_peers;  ///< a few of them, in the same order
+  Course course;
   Truth truth;
   std::vector<std::unique_ptr<System>> systems;  ///< as system_kinds()
 };

@@ -18,9 +18,8 @@ void System::planes(const SampleGrid& grid, std::size_t first, std::size_t count
   }
 }
 
-std::vector<SystemKind> system_kinds() {
+std::vector<SystemKind> peer_kinds() {
   return {
-      {"cdfr", build_cdfr},
 #ifdef CDFR_BENCH_EMBREE
       {"embree", build_embree},
 #endif
@@ -28,6 +27,12 @@ std::vector<SystemKind> system_kinds() {
       {"cgal", build_cgal},
 #endif
   };
+}
+
+std::vector<SystemKind> system_kinds() {
+  std::vector<SystemKind> kinds = peer_kinds();
+  kinds.insert(kinds.begin(), {"cdfr", build_cdfr});
+  return kinds;
 }
 
 }  // namespace cdfr::bench

@@ -9,6 +9,7 @@
 #include "cdfr/core/result.h"
 #include "cdfr/core/types.h"
 #include "cdfr/mesh/mesh.h"
+#include "cdfr/octree/options.h"
 #include "sample_grid.h"
 
 namespace cdfr::bench {
@@ -32,11 +33,15 @@ struct SystemKind {
   Result<std::unique_ptr<System>> (*build)(const Mesh& mesh, unsigned threads);
 };
 
-/// cdfr first, then the peers that were found when this was built.
-std::vector<SystemKind> system_kinds();
-
+Result<std::unique_ptr<System>> build_cdfr(const Mesh& mesh, const BuildOptions& options, unsigned threads);
+/// With the default options.
 Result<std::unique_ptr<System>> build_cdfr(const Mesh& mesh, unsigned threads);
 Result<std::unique_ptr<System>> build_embree(const Mesh& mesh, unsigned threads);
 Result<std::unique_ptr<System>> build_cgal(const Mesh& mesh, unsigned threads);
+
+/// The peers that were found when this was built.
+std::vector<SystemKind> peer_kinds();
+/// cdfr first, then the peers.
+std::vector<SystemKind> system_kinds();
 
 }  // namespace cdfr::bench

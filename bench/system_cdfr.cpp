@@ -24,10 +24,14 @@ class CdfrSystem final : public System {
 
 }  // namespace
 
-Result<std::unique_ptr<System>> build_cdfr(const Mesh& mesh, unsigned threads) {
-  Result<Field> field = Field::build(mesh.view(), {}, {.threads = threads});
+Result<std::unique_ptr<System>> build_cdfr(const Mesh& mesh, const BuildOptions& options, unsigned threads) {
+  Result<Field> field = Field::build(mesh.view(), options, {.threads = threads});
   if (!field) return field.error();
   return {std::make_unique<CdfrSystem>(std::move(*field))};
+}
+
+Result<std::unique_ptr<System>> build_cdfr(const Mesh& mesh, unsigned threads) {
+  return build_cdfr(mesh, BuildOptions{}, threads);
 }
 
 }  // namespace cdfr::bench
