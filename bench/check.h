@@ -7,14 +7,11 @@
 
 namespace cdfr::bench {
 
-struct Check {
-  std::size_t points = 0;
-  /// Answers that are not, bit for bit, brute force's, from single calls or from the batch; and points of a
-  /// plane of the grid that are not what a single call says. Means something for signed distances only.
-  std::size_t different = 0;
-  double worst_error = 0;  ///< of the unsigned distance, as a share of the diagonal
-};
+/// Of the unsigned distance, as a share of the diagonal; infinite if an answer is no number.
+double worst_error(const System& system, const Contest& contest);
 
-Check check(const System& system, const Contest& contest);
+/// Answers that are not, bit for bit, what they have to be: single calls and the batch say what brute force
+/// says, and a slab of the grid what single calls say. For signed distances.
+std::size_t count_different(const System& system, const Contest& contest);
 
 }  // namespace cdfr::bench

@@ -20,7 +20,7 @@ Result<Truth> find_truth(const Course& course, const Effort& effort) {
   for (const auto* points : {&course.random, &course.near, &course.far}) {
     add_evenly(*points, wanted, truth.points);
   }
-  add_evenly(course.grid.planes(course.planes_peers.front().first, 1), wanted, truth.points);
+  add_evenly(points_of(course.grid_peers.front(), 0, 1), wanted, truth.points);
   const Result<BruteForce> brute = BruteForce::over(course.mesh.view());
   if (!brute) return brute.error();
   for (const Vec3& p : truth.points) truth.distances.push_back(brute->closest(p).distance);

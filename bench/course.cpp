@@ -65,17 +65,15 @@ std::vector<Vec3> points_near(const Mesh& mesh, double reach, std::size_t count,
 }
 
 SampleGrid grid_over(const Box& box) {
-  SampleGrid grid;
-  grid.origin = box.lo;
-  grid.spacing = 1 / static_cast<double>(grid.side - 1) * (box.hi - box.lo);
-  return grid;
+  constexpr std::uint32_t side = 256;
+  return {box.lo, 1.0 / (side - 1) * (box.hi - box.lo), {side, side, side}};
 }
 
-/// `slabs` slabs of `planes` planes each, evenly over the grid.
-std::vector<Planes> spread_slabs(const SampleGrid& grid, std::size_t slabs, std::size_t planes) {
-  std::vector<Planes> spread;
-  for (std::size_t s = 0; s < slabs; ++s) {
-    spread.push_back({(2 * s + 1) * grid.side / (2 * slabs) - planes / 2, planes});
+/// `count` slabs of `planes` planes each, evenly over the grid.
+std::vector<SampleGrid> slabs(const SampleGrid& grid, std::uint32_t count, std::uint32_t planes) {
+  std::vector<SampleGrid> spread;
+  for (std::uint32_t s = 0; s < count; ++s) {
+    spread.push_back(slab(grid, (2 * s + 1) * grid.size[2] / (2 * count) - planes / 2, planes));
   }
   return spread;
 }
@@ -113,9 +111,9 @@ Result<Course> make_course(const Model& model, const Effort& effort) {
   course.random.assign(course.batch.begin(), course.batch.begin() + static_cast<long>(effort.points));
   course.near = points_near(course.mesh, course.diagonal / 100, effort.points, random);
   course.far = points_in(scaled(box, 10), effort.points, random);
-  course.grid = grid_over(around);
-  course.planes_cdfr = spread_slabs(course.grid, effort.slabs, effort.slab_planes);
-  course.planes_peers = spread_slabs(course.grid, 4, 1);
+  const SampleGrid grid = grid_over(around);
+  course.grid = slabs(grid, effort.slabs, effort.slab_planes);
+  course.grid_peers = slabs(grid, 4, 1);
   return {std::move(course)};
 }
 

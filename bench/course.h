@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "cdfr/core/result.h"
@@ -16,18 +17,14 @@ namespace cdfr::bench {
 struct Effort {
   std::size_t points = 100'000;  ///< of each kind of single query
   std::size_t batch_points = 1'000'000;
-  std::size_t slabs = 1;  ///< of the grid that cdfr fills: one is all of it
-  std::size_t slab_planes = 256;
+  std::uint32_t slabs = 1;  ///< of the grid that cdfr fills: one is all of it
+  std::uint32_t slab_planes = 256;
   int rounds = 5;
   int build_rounds = 5;
   double checked_triangles = 3e8;  ///< that brute force may look at, for each kind of query
 };
 /// For a look at one model in some seconds.
 Effort quick_effort();
-
-struct Planes {
-  std::size_t first, count;
-};
 
 struct Course {
   Mesh mesh;  ///< coordinates rounded to float, which Embree takes; equal vertices made one
@@ -36,9 +33,9 @@ struct Course {
   std::vector<Vec3> near;    ///< within 1 % of the diagonal from points spread evenly over the surface
   std::vector<Vec3> far;     ///< in the box scaled by 10
   std::vector<Vec3> batch;
-  SampleGrid grid;                   ///< over the box scaled by 1.1
-  std::vector<Planes> planes_cdfr;   ///< those of the grid that cdfr fills
-  std::vector<Planes> planes_peers;  ///< a few of them, in the same order
+  /// 256^3 points over the box scaled by 1.1: all of them, or slabs spread over them.
+  std::vector<SampleGrid> grid;
+  std::vector<SampleGrid> grid_peers;  ///< four planes of it
 };
 
 Result<Course> make_course(const Model& model, const Effort& effort);

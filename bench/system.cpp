@@ -8,13 +8,13 @@ void System::batch(std::span<const Vec3> points, std::span<double> out, unsigned
   singles(points, out);
 }
 
-void System::planes(const SampleGrid& grid, std::size_t first, std::size_t count, std::span<double> out,
-                    unsigned threads) const {
+void System::fill(const SampleGrid& grid, std::span<double> out, unsigned threads) const {
   // A few planes at a time, so that the points are not another hundred megabytes to read.
-  constexpr std::size_t slab = 4;
-  for (std::size_t done = 0; done < count; done += slab) {
-    const std::vector<Vec3> points = grid.planes(first + done, std::min(slab, count - done));
-    batch(points, out.subspan(done * grid.plane_points(), points.size()), threads);
+  constexpr std::uint32_t some = 4;
+  for (std::uint32_t first = 0; first < grid.size[2]; first += some) {
+    const std::vector<Vec3> points = points_of(grid, first, std::min(some, grid.size[2] - first));
+    batch(points, out.first(points.size()), threads);
+    out = out.subspan(points.size());
   }
 }
 

@@ -23,9 +23,8 @@ class System {
   virtual void singles(std::span<const Vec3> points, std::span<double> out) const = 0;
   /// All at once. Who has no such form answers one by one, on one thread.
   virtual void batch(std::span<const Vec3> points, std::span<double> out, unsigned threads) const;
-  /// `count` planes of the grid from `first` on, x fastest.
-  virtual void planes(const SampleGrid& grid, std::size_t first, std::size_t count, std::span<double> out,
-                      unsigned threads) const;
+  /// All points of a grid, in its order.
+  virtual void fill(const SampleGrid& grid, std::span<double> out, unsigned threads) const;
 };
 
 struct SystemKind {
