@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "arguments.h"
 #include "cdfr/contour/contour.h"
 #include "models.h"
 #include "subject.h"
@@ -138,20 +139,8 @@ void add_all() {
   }
 }
 
-/// Takes "--json FILE" out of the arguments.
-std::string take_json(int& count, char** arguments) {
-  for (int i = 1; i + 1 < count; ++i) {
-    if (std::string(arguments[i]) != "--json") continue;
-    const std::string path = arguments[i + 1];
-    for (int k = i + 2; k <= count; ++k) arguments[k - 2] = arguments[k];
-    count -= 2;
-    return path;
-  }
-  return {};
-}
-
 int run(int count, char** arguments) {
-  const std::string json = take_json(count, arguments);
+  const std::string json = take_value(count, arguments, "--json");
   benchmark::Initialize(&count, arguments);
   if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
   add_all();

@@ -1,20 +1,31 @@
 #include "models.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
 #include "cdfr/mesh/read.h"
 #include "cdfr/parts/part.h"
+#include "unpacked.h"
 
 namespace cdfr::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool ends_with_any(const std::string& name, std::initializer_list<const char*> ends) {
+  return std::any_of(ends.begin(), ends.end(), [&](const char* end) { return name.ends_with(end); });
+}
+
+}  // namespace
 
 std::vector<Model> models() {
   std::vector<Model> found{{"cube", ""}, {"six-star", ""}, {"cylinder-head", ""}};
-  const std::filesystem::path data = CDFR_SHARED_DATA;
+  const fs::path data = CDFR_SHARED_DATA;
   for (const char* file : {"public/tess/NIST_MBE_PMI_1_d0.5.stl", "public/odedstein_meshes/spot.obj",
                            "public/sdfx/var/head_res222.stl"}) {
-    const std::filesystem::path path = data / file;
-    if (std::filesystem::exists(path)) {
+    const fs::path path = data / file;
+    if (fs::exists(path)) {
       found.push_back({path.stem().string(), path.string()});
     } else {
       std::fprintf(stderr, "bench: left out, not here: %s\n", path.c_str());
@@ -23,8 +34,30 @@ std::vector<Model> models() {
   return found;
 }
 
+std::vector<Model> public_models(const std::string& filter) {
+  const fs::path root = fs::path(CDFR_SHARED_DATA) / "public";
+  std::vector<Model> found;
+  for (const char* folder : {"tess", "sdfx", "odedstein_meshes"}) {
+    if (!fs::exists(root / folder)) {
+      std::fprintf(stderr, "bench: left out, not here: %s\n", (root / folder).c_str());
+      continue;
+    }
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const std::string path = entry.path().string();
+      if (!ends_with_any(path, {".stl", ".obj", ".ply.gz"})) continue;
+      if (path.substr(root.string().size()).find(filter) == std::string::npos) continue;
+      const fs::path name = path.ends_with(".gz") ? entry.path().stem() : entry.path();
+      found.push_back({name.stem().string(), path});
+    }
+  }
+  std::sort(found.begin(), found.end(), [](const Model& a, const Model& b) { return a.path < b.path; });
+  return found;
+}
+
 Result<Mesh> load_model(const Model& model) {
-  return model.path.empty() ? make_part(model.name) : read_mesh(model.path);
+  if (model.path.empty()) return make_part(model.name);
+  if (model.path.ends_with(".gz")) return read_mesh(Unpacked(model.path).path());
+  return read_mesh(model.path);
 }
 
 }  // namespace cdfr::bench

@@ -15,8 +15,11 @@ struct Model {
   std::string path;  ///< empty for a made part
 };
 
-/// Those that can be had here; says on stderr which are not.
+/// A few of every kind that can be had here; says on stderr which are not.
 std::vector<Model> models();
+/// All of the public tessellations, cylinder heads and organic shapes whose folder and name hold `filter`.
+std::vector<Model> public_models(const std::string& filter);
+/// Unpacks what ends in .gz to a temporary file, which is gone afterwards.
 Result<Mesh> load_model(const Model& model);
 
 }  // namespace cdfr::bench

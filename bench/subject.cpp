@@ -2,33 +2,16 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 
 #include "cdfr/core/run.h"
+#include "random.h"
 
 namespace cdfr::bench {
 namespace {
 
 constexpr std::size_t query_count = 10'000;
 constexpr std::size_t depth_samples = 1000;
-
-class Random {
- public:
-  /// In [0, 1): the high bits of a 64-bit linear congruence, mixed once.
-  double unit() noexcept {
-    state_ = state_ * 6364136223846793005U + 1442695040888963407U;
-    return static_cast<double>((state_ ^ (state_ >> 29)) >> 11) * 0x1p-53;
-  }
-  Vec3 in(const Box& box) noexcept {
-    const double x = unit(), y = unit(), z = unit();
-    return {box.lo.x + (box.hi.x - box.lo.x) * x, box.lo.y + (box.hi.y - box.lo.y) * y,
-            box.lo.z + (box.hi.z - box.lo.z) * z};
-  }
-
- private:
-  std::uint64_t state_ = 20010101;
-};
 
 Box scaled(const Box& box, double factor) {
   const double by = (factor - 1) / 2;

@@ -1,0 +1,31 @@
+#include "settings.h"
+
+namespace cdfr::bench {
+namespace {
+
+Setting field_of(std::string name, int threshold, int level) {
+  BuildOptions options;
+  options.max_triangles_per_leaf = threshold;
+  options.max_level = level;
+  return {std::move(name), options, [options](const Mesh& mesh) { return build_cdfr(mesh, options, 1); }};
+}
+
+}  // namespace
+
+std::vector<Setting> settings(bool quick) {
+  const std::vector<int> thresholds = quick ? std::vector{32, 64, 128} : std::vector{16, 32, 64, 128, 256};
+  const std::vector<int> levels = quick ? std::vector{4, 6} : std::vector{3, 4, 5, 6, 7, 8};
+  std::vector<Setting> list{field_of(bvh_name, BuildOptions{}.max_triangles_per_leaf, 0)};
+  for (const int level : levels) {
+    for (const int threshold : thresholds) {
+      const std::string name = "level " + std::to_string(level) + ", list " + std::to_string(threshold);
+      list.push_back(field_of(name, threshold, level));
+    }
+  }
+  for (const SystemKind& kind : peer_kinds()) {
+    list.push_back({kind.name, {}, [build = kind.build](const Mesh& mesh) { return build(mesh, 1); }});
+  }
+  return list;
+}
+
+}  // namespace cdfr::bench
