@@ -41,6 +41,7 @@ class BlockBuilder {
   bool pays(const OpenCell& cell, const std::array<OpenCell, 8>& children) const noexcept;
   void count(const OpenCell& cell, std::uint64_t inherited);
   void close(Growing&& cell);
+  std::vector<Entry> listed(const std::vector<Candidate>& candidates) const;
   bool may_cross(const OpenCell& cell) const;
   Block laid_out(std::uint64_t key);
 
@@ -50,6 +51,7 @@ class BlockBuilder {
   const RefineOptions& refining_;
   std::uint64_t most_leaves_;
   Progress& progress_;
+  RefineScratch scratch_;
   std::vector<TreeNode> nodes_;
   std::vector<std::vector<Entry>> lists_;  ///< of closed cells, in the order they closed
   std::vector<bool> crossed_;

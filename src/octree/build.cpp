@@ -32,7 +32,9 @@ std::vector<Pending> cut_into_blocks(SearchSpace space, const RefineOptions& ref
   while (!frontier.empty() && !progress.cancelled()) {
     std::vector<std::array<OpenCell, 8>> refined(frontier.size());
     for_chunks(frontier.size(), 1, [&](std::size_t i, std::size_t) {
-      if (progress.poll()) refined[i] = refine(space, tree.lattice, frontier[i].open, refining);
+      if (!progress.poll()) return;
+      RefineScratch scratch;
+      refined[i] = refine(space, tree.lattice, frontier[i].open, refining, scratch);
     });
     std::vector<Pending> next;
     for (std::size_t i = 0; i < frontier.size(); ++i) {

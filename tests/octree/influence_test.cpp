@@ -88,7 +88,7 @@ TEST(CornerDominance, LanesAgreeWithSingles) {
       for (double& d : distances[c]) d = random.between(0, 6);
       pointers[c] = &distances[c];
     }
-    const std::uint8_t kept = rule.keeps(pointers);
+    const std::uint8_t kept = rule.keeps(pointers, 0xff);
     for (std::size_t lane = 0; lane < group_size; ++lane) {
       std::array<double, 8> squared;
       for (std::size_t c = 0; c < 8; ++c) squared[c] = distances[c][lane];
