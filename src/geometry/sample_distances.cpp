@@ -130,19 +130,18 @@ void squared_distances_below_here(const Samples& samples, const TriangleGroup& g
   }
 }
 
-void update_nearest_here(const SampleDistances& distances, std::uint32_t number, NearestOfSamples& nearest) {
+void add_here(const SampleDistances& distances, std::uint32_t number, NearestOfSamples& nearest) {
   const Tag d;
+  const Vector group = hn::Set(d, static_cast<double>(number));
   for (std::size_t sample = 0; sample < sample_count; ++sample) {
-    const GroupDistances& squared = distances.squared[sample];
-    Vector least = hn::LoadU(d, squared.data());
-    for (std::size_t lane = hn::Lanes(d); lane < group_size; lane += hn::Lanes(d)) {
-      least = hn::Min(least, hn::LoadU(d, squared.data() + lane));
-    }
-    if (hn::AllFalse(d, hn::Lt(least, hn::Set(d, nearest.squared[sample])))) continue;
-    for (std::uint32_t lane = 0; lane < group_size; ++lane) {
-      if (!(squared[lane] < nearest.squared[sample])) continue;
-      nearest.squared[sample] = squared[lane];
-      nearest.slot[sample] = number * static_cast<std::uint32_t>(group_size) + lane;
+    for (std::size_t lane = 0; lane < group_size; lane += hn::Lanes(d)) {
+      double* squared = nearest.squared[sample].data() + lane;
+      double* groups = nearest.group[sample].data() + lane;
+      const Vector least = hn::Load(d, squared);
+      const Vector here = hn::Load(d, distances.squared[sample].data() + lane);
+      const auto closer = hn::Lt(here, least);
+      hn::Store(hn::IfThenElse(closer, here, least), d, squared);
+      hn::Store(hn::IfThenElse(closer, group, hn::Load(d, groups)), d, groups);
     }
   }
 }
@@ -152,10 +151,13 @@ void update_nearest_here(const SampleDistances& distances, std::uint32_t number,
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include <algorithm>
+#include <cmath>
+
 namespace cdfr {
 
 HWY_EXPORT(squared_distances_below_here);
-HWY_EXPORT(update_nearest_here);
+HWY_EXPORT(add_here);
 
 Samples::Samples(const Vec3& lo, double edge) noexcept {
   const double from[3] = {lo.x, lo.y, lo.z};
@@ -178,9 +180,49 @@ void squared_distances_below(const Samples& samples, const TriangleGroup& group,
   HWY_DYNAMIC_DISPATCH(squared_distances_below_here)(samples, group, distances);
 }
 
-void update_nearest(const SampleDistances& distances, std::uint32_t number,
-                    NearestOfSamples& nearest) noexcept {
-  HWY_DYNAMIC_DISPATCH(update_nearest_here)(distances, number, nearest);
+std::array<double, sample_count> squared_distances_below(const Samples& samples, const Box& box) noexcept {
+  const double lo[3] = {box.lo.x, box.lo.y, box.lo.z}, hi[3] = {box.hi.x, box.hi.y, box.hi.z};
+  double terms[3][5];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < 5; ++i) {
+      const double at = samples.places[axis][i];
+      const double away = std::max(std::max(lo[axis] - at, at - hi[axis]), 0.0);
+      terms[axis][i] = away * away * (1 - 8 * unit_roundoff);
+    }
+  }
+  std::array<double, sample_count> squared;
+  std::size_t next = 0;
+  for (std::size_t first = 0; first < 2; ++first) {
+    for (std::size_t z = first; z < 5; z += 2) {
+      for (std::size_t y = first; y < 5; y += 2) {
+        const double yz = terms[1][y] + terms[2][z];
+        for (std::size_t x = first; x < 5; x += 2) squared[next++] = terms[0][x] + yz;
+      }
+    }
+  }
+  return squared;
+}
+
+void NearestOfSamples::clear() noexcept {
+  for (GroupDistances& lanes : squared) lanes.fill(HUGE_VAL);
+}
+
+void NearestOfSamples::add(const SampleDistances& distances, std::uint32_t number) noexcept {
+  HWY_DYNAMIC_DISPATCH(add_here)(distances, number, *this);
+}
+
+std::uint32_t NearestOfSamples::slot(std::size_t sample) const noexcept {
+  const auto slot_of = [&](std::size_t lane) {
+    return static_cast<std::uint32_t>(group[sample][lane]) * static_cast<std::uint32_t>(group_size) +
+           static_cast<std::uint32_t>(lane);
+  };
+  const GroupDistances& lanes = squared[sample];
+  std::size_t best = 0;
+  for (std::size_t lane = 1; lane < group_size; ++lane) {
+    if (lanes[lane] < lanes[best] || (lanes[lane] == lanes[best] && slot_of(lane) < slot_of(best)))
+      best = lane;
+  }
+  return slot_of(best);
 }
 
 }  // namespace cdfr

@@ -15,6 +15,14 @@ namespace cdfr {
 inline constexpr std::size_t corner_samples = 27;
 inline constexpr std::size_t sample_count = corner_samples + 8;
 
+constexpr std::size_t corner_sample(std::size_t child, std::size_t corner) noexcept {
+  const std::size_t x = (child & 1) + (corner & 1);
+  const std::size_t y = (child >> 1 & 1) + (corner >> 1 & 1);
+  const std::size_t z = (child >> 2 & 1) + (corner >> 2 & 1);
+  return x + 3 * y + 9 * z;
+}
+constexpr std::size_t centre_sample(std::size_t child) noexcept { return corner_samples + child; }
+
 /// Where they lie: on each axis at five places half a child's edge apart. Corners are at even places, centres
 /// at odd ones.
 struct Samples {
@@ -52,14 +60,19 @@ struct alignas(64) SampleDistances {
 void squared_distances_below(const Samples& samples, const TriangleGroup& group,
                              SampleDistances& distances) noexcept;
 
-/// What is closest to each sample.
-struct NearestOfSamples {
-  std::array<double, sample_count> squared;
-  std::array<std::uint32_t, sample_count> slot;
-};
+/// The same for a box, never too large: three differences, products and two sums round by less than 6u
+/// together.
+std::array<double, sample_count> squared_distances_below(const Samples& samples, const Box& box) noexcept;
 
-/// Takes the lanes of group `number` that are closer to a sample than what was closest, the lowest of equals.
-void update_nearest(const SampleDistances& distances, std::uint32_t number,
-                    NearestOfSamples& nearest) noexcept;
+/// What is closest to each sample in each lane.
+struct alignas(64) NearestOfSamples {
+  std::array<GroupDistances, sample_count> squared;
+  std::array<GroupDistances, sample_count> group;  ///< its number
+
+  void clear() noexcept;
+  void add(const SampleDistances& distances, std::uint32_t number) noexcept;
+  /// Of all lanes; the first of equals. Precondition: something was added.
+  std::uint32_t slot(std::size_t sample) const noexcept;
+};
 
 }  // namespace cdfr

@@ -19,11 +19,13 @@ namespace cdfr {
 class BlockBuilder {
  public:
   BlockBuilder(SearchSpace space, const Lattice& lattice, const BuildOptions& options,
-               const RefineOptions& refining, std::uint64_t most_leaves, Progress& progress)
+               const RefineOptions& refining, RefineScratch& scratch, std::uint64_t most_leaves,
+               Progress& progress)
       : space_(space),
         lattice_(lattice),
         options_(options),
         refining_(refining),
+        scratch_(scratch),
         most_leaves_(most_leaves),
         progress_(progress) {}
 
@@ -49,9 +51,9 @@ class BlockBuilder {
   const Lattice& lattice_;
   const BuildOptions& options_;
   const RefineOptions& refining_;
+  RefineScratch& scratch_;
   std::uint64_t most_leaves_;
   Progress& progress_;
-  RefineScratch scratch_;
   std::vector<TreeNode> nodes_;
   std::vector<std::vector<Entry>> lists_;  ///< of closed cells, in the order they closed
   std::vector<bool> crossed_;

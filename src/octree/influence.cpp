@@ -1,5 +1,7 @@
 #include "octree/influence.h"
 
+#include <cmath>
+
 // Compiled once for each instruction set. Comparisons give the same bits from every set.
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
@@ -15,14 +17,15 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<double, group_size>;
 
-/// Lanes first .. first + Lanes - 1 of a group.
-HWY_INLINE unsigned kept(const DominanceThresholds& thresholds,
-                         const std::array<const GroupDistances*, 8>& squared, std::size_t first,
-                         std::uint8_t lanes) {
+/// Lanes first .. first + Lanes - 1 of a group, added to what is kept.
+HWY_INLINE void sift(const DominanceThresholds& thresholds, const SampleDistances& distances,
+                     std::size_t child, std::size_t first, std::uint8_t lanes, KeptLanes& kept) {
   const Tag d;
   hn::Vec<Tag> from[8];
-  for (std::size_t c = 0; c < 8; ++c) from[c] = hn::LoadU(d, squared[c]->data() + first);
-  std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> first)};  // Highway may read eight bytes
+  for (std::size_t c = 0; c < 8; ++c) {
+    from[c] = hn::Load(d, distances.squared[corner_sample(child, c)].data() + first);
+  }
+  std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> first)};  // Highway stores up to eight bytes
   auto left = hn::LoadMaskBits(d, bits);
   for (const std::array<double, 8>& threshold : thresholds) {
     auto dropped = hn::Gt(from[0], hn::Set(d, threshold[0]));
@@ -30,19 +33,25 @@ HWY_INLINE unsigned kept(const DominanceThresholds& thresholds,
       dropped = hn::And(dropped, hn::Gt(from[c], hn::Set(d, threshold[c])));
     }
     left = hn::AndNot(dropped, left);
-    if (hn::AllFalse(d, left)) return 0;
+    if (hn::AllFalse(d, left)) return;
   }
+  const auto centre = hn::Load(d, distances.squared[centre_sample(child)].data() + first);
+  const double least = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(left, centre, hn::Inf(d))));
+  kept.least_squared = least < kept.least_squared ? least : kept.least_squared;
+  kept.count = static_cast<std::uint8_t>(kept.count + hn::CountTrue(d, left));
   hn::StoreMaskBits(d, left, bits);
-  return static_cast<unsigned>(bits[0]) << first;
+  kept.lanes = static_cast<std::uint8_t>(kept.lanes | bits[0] << first);
 }
 
-std::uint8_t keeps_here(const DominanceThresholds& thresholds,
-                        const std::array<const GroupDistances*, 8>& squared, std::uint8_t lanes) {
-  unsigned result = 0;
-  for (std::size_t first = 0; first < group_size; first += hn::Lanes(Tag())) {
-    result |= kept(thresholds, squared, first, lanes);
+void sift_lanes_here(const std::array<CornerDominance, 8>& rules, const SampleDistances& distances,
+                     std::uint8_t lanes, unsigned children, std::array<KeptLanes, 8>& kept) {
+  for (std::size_t child = 0; child < 8; ++child) {
+    kept[child] = {0, 0, HUGE_VAL};
+    if ((children >> child & 1U) == 0) continue;
+    for (std::size_t first = 0; first < group_size; first += hn::Lanes(Tag())) {
+      sift(rules[child].thresholds(), distances, child, first, lanes, kept[child]);
+    }
   }
-  return static_cast<std::uint8_t>(result);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -51,13 +60,12 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/box_distance.h"
 
 namespace cdfr {
 
-HWY_EXPORT(keeps_here);
+HWY_EXPORT(sift_lanes_here);
 
 namespace {
 
@@ -95,9 +103,9 @@ bool CornerDominance::drops(const std::array<double, 8>& squared) const noexcept
   return false;
 }
 
-std::uint8_t CornerDominance::keeps(const std::array<const GroupDistances*, 8>& squared,
-                                    std::uint8_t lanes) const noexcept {
-  return HWY_DYNAMIC_DISPATCH(keeps_here)(thresholds_, squared, lanes);
+void sift_lanes(const std::array<CornerDominance, 8>& rules, const SampleDistances& distances,
+                std::uint8_t lanes, unsigned children, std::array<KeptLanes, 8>& kept) noexcept {
+  HWY_DYNAMIC_DISPATCH(sift_lanes_here)(rules, distances, lanes, children, kept);
 }
 
 double band_threshold(const Lattice& lattice, int level, double least) noexcept {

@@ -31,7 +31,7 @@
 #include <span>
 
 #include "cdfr/core/types.h"
-#include "geometry/triangle_group.h"
+#include "geometry/sample_distances.h"
 #include "octree/lattice.h"
 
 namespace cdfr {
@@ -52,12 +52,23 @@ class CornerDominance {
 
   /// True if something whose squared distances from the corners are at least these wins nowhere in the cell.
   bool drops(const std::array<double, 8>& squared) const noexcept;
-  /// The same for the triangles of a group at once, of the given lanes: what is left of them may win.
-  std::uint8_t keeps(const std::array<const GroupDistances*, 8>& squared, std::uint8_t lanes) const noexcept;
+  const DominanceThresholds& thresholds() const noexcept { return thresholds_; }
 
  private:
   DominanceThresholds thresholds_{};
 };
+
+/// What is left of a group in one child.
+struct KeptLanes {
+  std::uint8_t lanes;    ///< bit i: triangle i may win
+  std::uint8_t count;    ///< of set bits
+  double least_squared;  ///< from the child's centre, over these lanes
+};
+
+/// Tests the given lanes of a group against the rules of the given children (bits too), all triangles at
+/// once.
+void sift_lanes(const std::array<CornerDominance, 8>& rules, const SampleDistances& distances,
+                std::uint8_t lanes, unsigned children, std::array<KeptLanes, 8>& kept) noexcept;
 
 /// Threshold of the band rule on squared estimates from the centre. `least` is an estimate of the smallest
 /// distance from it.

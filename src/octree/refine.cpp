@@ -1,7 +1,6 @@
 #include "octree/refine.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "geometry/box_distance.h"
@@ -9,13 +8,6 @@
 namespace cdfr {
 namespace {
 
-constexpr std::size_t corner_sample(std::size_t child, std::size_t corner) noexcept {
-  const std::size_t x = (child & 1) + (corner & 1);
-  const std::size_t y = (child >> 1 & 1) + (corner >> 1 & 1);
-  const std::size_t z = (child >> 2 & 1) + (corner >> 2 & 1);
-  return x + 3 * y + 9 * z;
-}
-constexpr std::size_t centre_sample(std::size_t child) noexcept { return corner_samples + child; }
 constexpr std::size_t parents_centre = 13;
 
 struct Nearest {
@@ -73,11 +65,11 @@ class Refinement {
           });
     }
     if (scratch_.distances.size() < scratch_.groups.size()) scratch_.distances.resize(scratch_.groups.size());
-    nearest_.squared.fill(HUGE_VAL);
+    scratch_.nearest.clear();
     for (std::size_t i = 0; i < scratch_.groups.size(); ++i) {
       const std::uint32_t number = space_.bvh.nodes[scratch_.groups[i].node].first_group;
       squared_distances_below(samples_, space_.triangles.groups[number], scratch_.distances[i]);
-      update_nearest(scratch_.distances[i], number, nearest_);
+      scratch_.nearest.add(scratch_.distances[i], number);
     }
   }
 
@@ -85,7 +77,7 @@ class Refinement {
   /// start.
   Vec3 closest_to(std::size_t sample) const {
     const Vec3 p = samples_.point(sample);
-    std::uint32_t slot = open_all_ ? nearest_.slot[sample] : no_index;
+    std::uint32_t slot = open_all_ ? scratch_.nearest.slot(sample) : no_index;
     std::size_t best = 0;
     if (!open_all_) {
       Search<Nearest> search(space_, p, lattice_.reach(), Nearest{});
@@ -131,17 +123,14 @@ class Refinement {
         corners[corner] = samples_.point(corner_sample(child, corner));
         dominators[1 + corner] = at(corner_sample(child, corner));
       }
-      rules_[child] = CornerDominance(lattice_, corners, dominators);
+      scratch_.rules[child] = CornerDominance(lattice_, corners, dominators);
     }
   }
 
   /// Drops a node from the children that cannot need it; what is left is kept whole, opened or taken apart.
   void sift(const Candidate& candidate, unsigned children) {
     const BvhNode& node = space_.bvh.nodes[candidate.node];
-    std::array<double, sample_count> squared;
-    for (std::size_t i = 0; i < sample_count; ++i) {
-      squared[i] = squared_distance_below(samples_.point(i), node.box);
-    }
+    const std::array<double, sample_count> squared = squared_distances_below(samples_, node.box);
     children = surviving(squared, children);
     if (children == 0) return;
     if (node.is_group()) {
@@ -169,7 +158,7 @@ class Refinement {
         std::array<double, 8> corners;
         for (std::size_t corner = 0; corner < 8; ++corner)
           corners[corner] = squared[corner_sample(child, corner)];
-        drop = rules_[child].drops(corners);
+        drop = scratch_.rules[child].drops(corners);
       }
       if (drop) children &= ~(1U << child);
     }
@@ -179,32 +168,29 @@ class Refinement {
   void sift_group(const Candidate& candidate, const SampleDistances& distances, unsigned children) {
     const std::uint32_t number = space_.bvh.nodes[candidate.node].first_group;
     const auto used = static_cast<std::uint8_t>(0xffU >> (group_size - space_.triangles.lanes(number)));
+    const std::uint8_t lanes = candidate.lanes & used;
+    std::array<KeptLanes, 8> kept;
+    if (options_.lists == Lists::band) {
+      for (std::size_t child = 0; child < 8; ++child) kept[child] = in_band(child, distances, lanes);
+    } else {
+      sift_lanes(scratch_.rules, distances, lanes, children, kept);
+    }
     for (std::size_t child = 0; child < 8; ++child) {
-      if ((children >> child & 1U) == 0) continue;
-      const std::uint8_t kept = kept_lanes(child, distances, candidate.lanes & used);
-      if (kept == 0) continue;
-      const GroupDistances& centre = distances.squared[centre_sample(child)];
-      double least = HUGE_VAL;
-      for (std::size_t lane = 0; lane < group_size; ++lane) {
-        if ((kept >> lane & 1U) != 0) least = std::min(least, centre[lane]);
-      }
-      keep(child, {least, candidate.node, kept}, static_cast<std::uint64_t>(std::popcount(kept)));
+      if ((children >> child & 1U) == 0 || kept[child].count == 0) continue;
+      keep(child, {kept[child].least_squared, candidate.node, kept[child].lanes}, kept[child].count);
     }
   }
 
-  std::uint8_t kept_lanes(std::size_t child, const SampleDistances& distances, std::uint8_t lanes) const {
-    if (options_.lists == Lists::band) {
-      const GroupDistances& centre = distances.squared[centre_sample(child)];
-      for (std::size_t lane = 0; lane < group_size; ++lane) {
-        if (centre[lane] > bands_[child]) lanes &= static_cast<std::uint8_t>(~(1U << lane));
-      }
-      return lanes;
+  KeptLanes in_band(std::size_t child, const SampleDistances& distances, std::uint8_t lanes) const {
+    KeptLanes kept{0, 0, HUGE_VAL};
+    const GroupDistances& centre = distances.squared[centre_sample(child)];
+    for (std::size_t lane = 0; lane < group_size; ++lane) {
+      if ((lanes >> lane & 1U) == 0 || centre[lane] > bands_[child]) continue;
+      kept.lanes |= static_cast<std::uint8_t>(1U << lane);
+      ++kept.count;
+      kept.least_squared = std::min(kept.least_squared, centre[lane]);
     }
-    std::array<const GroupDistances*, 8> corners;
-    for (std::size_t corner = 0; corner < 8; ++corner) {
-      corners[corner] = &distances.squared[corner_sample(child, corner)];
-    }
-    return rules_[child].keeps(corners, lanes);
+    return kept;
   }
 
   void keep(std::size_t child, const Candidate& candidate, std::uint64_t triangles) {
@@ -227,9 +213,7 @@ class Refinement {
   bool open_all_ = false;
   unsigned wanted_ = 0;
   Samples samples_;
-  NearestOfSamples nearest_;
   std::array<OpenCell, 8> children_;
-  std::array<CornerDominance, 8> rules_;
   std::array<double, 8> bands_{};
 };
 

@@ -40,6 +40,8 @@ struct RefineOptions {
 struct RefineScratch {
   std::vector<Candidate> groups;           ///< of a list that is taken apart
   std::vector<SampleDistances> distances;  ///< theirs
+  NearestOfSamples nearest;
+  std::array<CornerDominance, 8> rules;
   std::array<std::vector<Candidate>, 8> lists;
 };
 

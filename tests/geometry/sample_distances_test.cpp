@@ -98,13 +98,13 @@ TEST(SampleDistances, EveryInstructionSetGivesTheSameBytes) {
 TEST(SampleDistances, TheNearestIsTheFirstOfTheLeast) {
   test::Random random(33);
   NearestOfSamples nearest;
-  nearest.squared.fill(HUGE_VAL);
+  nearest.clear();
   std::vector<SampleDistances> groups(20);
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
     for (GroupDistances& squared : groups[g].squared) {
       for (double& value : squared) value = static_cast<double>(random.below(200));
     }
-    update_nearest(groups[g], g, nearest);
+    nearest.add(groups[g], g);
   }
   for (std::size_t sample = 0; sample < sample_count; ++sample) {
     std::uint32_t best = 0;
@@ -114,8 +114,7 @@ TEST(SampleDistances, TheNearestIsTheFirstOfTheLeast) {
     for (std::uint32_t slot = 0; slot < groups.size() * group_size; ++slot) {
       if (value(slot) < value(best)) best = slot;
     }
-    EXPECT_EQ(nearest.slot[sample], best);
-    EXPECT_EQ(nearest.squared[sample], value(best));
+    EXPECT_EQ(nearest.slot(sample), best);
   }
 }
 
