@@ -1,8 +1,10 @@
 #include "field/sign.h"
 
+#include <array>
 #include <cmath>
 
 #include "core/arithmetic.h"
+#include "core/parallel.h"
 #include "core/vector.h"
 
 namespace cdfr {
@@ -36,11 +38,16 @@ Vec3 vertex_normal(const Sum& sum) noexcept {
   return {n.x / sum.weight, n.y / sum.weight, n.z / sum.weight};
 }
 
-double angle_at(const TriangleShape& triangle, int corner) noexcept {
-  const auto along = [&](int other) {
-    return rounded(difference(triangle.vertices[other], triangle.vertices[corner]));
-  };
-  return angle_between(along((corner + 1) % 3), along((corner + 2) % 3));
+std::array<double, 3> angles_of(const TriangleShape& triangle) noexcept {
+  if (flat(triangle.normal)) return {};
+  std::array<double, 3> angles;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto along = [&](std::size_t other) {
+      return rounded(difference(triangle.vertices[other], triangle.vertices[k]));
+    };
+    angles[k] = angle_between(along((k + 1) % 3), along((k + 2) % 3));
+  }
+  return angles;
 }
 
 }  // namespace
@@ -50,15 +57,21 @@ Pseudonormals pseudonormals(const TriangleStore& store, std::size_t edge_count, 
                             const std::vector<std::uint8_t>& plain_vertices) {
   std::vector<Sum> edges(edge_count);
   std::vector<Sum> vertices(vertex_count);
+  std::vector<std::array<double, 3>> angles(store.size());
+  for_chunks(angles.size(), 1024, [&](std::size_t first, std::size_t end) {
+    for (std::size_t slot = first; slot < end; ++slot) {
+      angles[slot] = angles_of(store.shape(static_cast<std::uint32_t>(slot)));
+    }
+  });
   // In input order, so that sums do not depend on the BVH.
   std::vector<std::uint32_t> slot_of(store.size());
   for (std::uint32_t slot = 0; slot < store.size(); ++slot) slot_of[store.records[slot].number] = slot;
   for (const std::uint32_t slot : slot_of) {
-    const TriangleShape shape = store.shape(slot);
+    const DoubleDouble3 normal = store.shape(slot).normal;
     const TriangleRecord& record = store.records[slot];
     for (int k = 0; k < 3; ++k) {
-      if (record.edges[k] != no_index) edges[record.edges[k]].add(shape.normal, 1);
-      vertices[record.vertices[k]].add(shape.normal, flat(shape.normal) ? 0 : angle_at(shape, k));
+      if (record.edges[k] != no_index) edges[record.edges[k]].add(normal, 1);
+      vertices[record.vertices[k]].add(normal, angles[slot][k]);
     }
   }
   const auto is_plain = [](const std::vector<std::uint8_t>& plain, std::size_t i) {

@@ -31,7 +31,7 @@ struct Pseudonormals {
 };
 
 /// `plain_edges` and `plain_vertices` leave out what is not plain (Examined); empty ones leave out nothing.
-/// O(triangles).
+/// O(triangles). Runs in the caller's task arena.
 Pseudonormals pseudonormals(const TriangleStore& store, std::size_t edges, std::size_t vertices,
                             const std::vector<std::uint8_t>& plain_edges,
                             const std::vector<std::uint8_t>& plain_vertices);

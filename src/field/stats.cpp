@@ -19,11 +19,11 @@ std::uint64_t bytes_of(const std::vector<T>& v) noexcept {
 
 std::uint64_t total_bytes(const FieldData& field) noexcept {
   std::uint64_t bytes = sizeof field + bytes_of(field.triangles.groups) + bytes_of(field.triangles.records) +
-                        bytes_of(field.bvh.nodes) + bytes_of(field.bvh.group_nodes) +
-                        bytes_of(field.pseudonormals.edges) + bytes_of(field.pseudonormals.vertices) +
-                        bytes_of(field.winding.nodes) + bytes_of(field.winding.boundary.edges) +
-                        bytes_of(field.winding.boundary.first) + bytes_of(field.winding.boundary.lengths) +
-                        bytes_of(field.tree.top) + bytes_of(field.tree.blocks) + bytes_of(field.tree.levels) +
+                        bytes_of(field.bvh.nodes) + bytes_of(field.pseudonormals.edges) +
+                        bytes_of(field.pseudonormals.vertices) + bytes_of(field.winding.nodes) +
+                        bytes_of(field.winding.boundary.edges) + bytes_of(field.winding.boundary.first) +
+                        bytes_of(field.winding.boundary.lengths) + bytes_of(field.tree.top) +
+                        bytes_of(field.tree.blocks) + bytes_of(field.tree.levels) +
                         bytes_of(field.first_leaf) + field.index.bytes() + bytes_of(field.scan_groups);
   for (const Block& block : field.tree.blocks) {
     bytes += bytes_of(block.nodes) + bytes_of(block.leaves) + bytes_of(block.entries);
@@ -36,12 +36,12 @@ std::uint64_t length_of(const FieldData& field, const Block& block, const LeafRe
   std::uint64_t length = 0;
   for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count(); ++i) {
     const Entry& entry = block.entries[i];
-    const BvhNode& node = field.bvh.nodes[node_of(field.bvh, entry)];
-    if (node.is_group()) {
+    if (entry.is_group()) {
       length += static_cast<std::uint64_t>(std::popcount(entry.lanes()));
     } else {
-      length += std::min<std::uint64_t>(std::uint64_t{node.end_group} * group_size, field.triangles.size()) -
-                std::uint64_t{node.first_group} * group_size;
+      const auto [first, end] = groups_of(field.bvh, entry);
+      length += std::min<std::uint64_t>(std::uint64_t{end} * group_size, field.triangles.size()) -
+                std::uint64_t{first} * group_size;
     }
   }
   return length;
@@ -53,8 +53,8 @@ std::vector<std::uint32_t> slots_of(const FieldData& field, const Block& block, 
   std::vector<std::uint32_t> slots;
   for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count(); ++i) {
     const Entry& entry = block.entries[i];
-    const BvhNode& node = field.bvh.nodes[node_of(field.bvh, entry)];
-    for (std::uint32_t group = node.first_group; group < node.end_group; ++group) {
+    const auto [first, end] = groups_of(field.bvh, entry);
+    for (std::uint32_t group = first; group < end; ++group) {
       for (std::uint32_t lane = 0; lane < field.triangles.lanes(group); ++lane) {
         if ((entry.lanes() >> lane & 1U) != 0)
           slots.push_back(group * static_cast<std::uint32_t>(group_size) + lane);

@@ -157,19 +157,11 @@ std::vector<Item> items_of(MeshView mesh) {
 
 }  // namespace
 
-void Bvh::index_groups() {
-  group_nodes.resize(nodes.empty() ? 0 : nodes[0].groups());
-  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].is_group()) group_nodes[nodes[i].first_group] = i;
-  }
-}
-
 BvhAndOrder build_bvh(MeshView mesh) {
   std::vector<Item> items = items_of(mesh);
   BvhAndOrder result;
   result.bvh.nodes.resize(2 * whole_groups(items.size()) - 1);
   Builder(items, result.bvh.nodes).build(0, items.size(), 0, 0);
-  result.bvh.index_groups();
   result.order.reserve(items.size());
   for (const Item& item : items) result.order.push_back(item.number);
   return result;

@@ -27,9 +27,6 @@ inline constexpr int bvh_depth_limit = 72;
 
 struct Bvh {
   std::vector<BvhNode> nodes;
-  std::vector<std::uint32_t> group_nodes;  ///< each group's own node; derived, and not stored
-
-  void index_groups();
 
   std::uint32_t left(std::uint32_t node) const noexcept { return node + 1; }
   std::uint32_t right(std::uint32_t node) const noexcept { return node + 2 * nodes[node + 1].groups(); }

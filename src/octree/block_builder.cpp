@@ -50,14 +50,29 @@ bool BlockBuilder::may_cross(const OpenCell& cell) const {
     return true;
   };
   return !std::all_of(cell.list.begin(), cell.list.end(),
-                      [&](const Entry& entry) { return walk(space_.bvh, node_of(space_.bvh, entry), enter, misses); });
+                      [&](const Candidate& c) { return walk(space_.bvh, c.node, enter, misses); });
 }
 
 void BlockBuilder::close(Growing&& cell) {
   nodes_[cell.node] = TreeNode::leaf(static_cast<std::uint32_t>(lists_.size()));
   crossed_.push_back(may_cross(cell.open));
   levels_[static_cast<std::size_t>(cell.open.cell.level)].leaves += 1;
-  lists_.push_back(std::move(cell.open.list));
+  lists_.push_back(listed(cell.open.list));
+}
+
+/// Ascending.
+std::vector<Entry> BlockBuilder::listed(const std::vector<Candidate>& candidates) const {
+  std::vector<Entry> list;
+  list.reserve(candidates.size());
+  for (const Candidate& c : candidates) {
+    // One part in 2^50 less covers the root and the division by a power of two's neighbours.
+    const double distance = std::sqrt(std::max(c.squared, 0.0)) * (1 - 0x1p-50) / lattice_.edge;
+    const BvhNode& node = space_.bvh.nodes[c.node];
+    list.push_back(node.is_group() ? Entry::of_group(node.first_group, distance, c.lanes)
+                                   : Entry::of_node(c.node, distance));
+  }
+  std::sort(list.begin(), list.end());
+  return list;
 }
 
 /// Numbers leaves along the Morton curve and puts their lists one after another.
@@ -108,7 +123,7 @@ Block BlockBuilder::build(OpenCell root, std::uint64_t inherited) {
         close(std::move(cell));
         continue;
       }
-      std::array<OpenCell, 8> children = refine(space_, lattice_, cell.open, refining_);
+      std::array<OpenCell, 8> children = refine(space_, lattice_, cell.open, refining_, scratch_);
       if (!pays(cell.open, children)) {
         close(std::move(cell));
         continue;

@@ -19,11 +19,13 @@ namespace cdfr {
 class BlockBuilder {
  public:
   BlockBuilder(SearchSpace space, const Lattice& lattice, const BuildOptions& options,
-               const RefineOptions& refining, std::uint64_t most_leaves, Progress& progress)
+               const RefineOptions& refining, RefineScratch& scratch, std::uint64_t most_leaves,
+               Progress& progress)
       : space_(space),
         lattice_(lattice),
         options_(options),
         refining_(refining),
+        scratch_(scratch),
         most_leaves_(most_leaves),
         progress_(progress) {}
 
@@ -41,6 +43,7 @@ class BlockBuilder {
   bool pays(const OpenCell& cell, const std::array<OpenCell, 8>& children) const noexcept;
   void count(const OpenCell& cell, std::uint64_t inherited);
   void close(Growing&& cell);
+  std::vector<Entry> listed(const std::vector<Candidate>& candidates) const;
   bool may_cross(const OpenCell& cell) const;
   Block laid_out(std::uint64_t key);
 
@@ -48,6 +51,7 @@ class BlockBuilder {
   const Lattice& lattice_;
   const BuildOptions& options_;
   const RefineOptions& refining_;
+  RefineScratch& scratch_;
   std::uint64_t most_leaves_;
   Progress& progress_;
   std::vector<TreeNode> nodes_;

@@ -1,5 +1,7 @@
 #include "octree/build.h"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -16,6 +18,8 @@ std::uint64_t morton_place(const Cell& cell) noexcept {
   return key_of(cell) << (3 * (deepest_level - cell.level));
 }
 
+using Scratches = tbb::enumerable_thread_specific<RefineScratch>;
+
 struct Pending {
   OpenCell open;
   std::uint32_t node = 0;       ///< in Octree::top
@@ -23,8 +27,8 @@ struct Pending {
 };
 
 /// Refines from the virtual cube down until lists are short enough for one block each.
-std::vector<Pending> cut_into_blocks(SearchSpace space, const RefineOptions& refining, Octree& tree,
-                                     Progress& progress) {
+std::vector<Pending> cut_into_blocks(SearchSpace space, const RefineOptions& refining, Scratches& scratches,
+                                     Octree& tree, Progress& progress) {
   std::vector<Pending> seeds;
   std::vector<Pending> frontier;
   frontier.push_back({root_cell(space), 0, 0});
@@ -32,7 +36,8 @@ std::vector<Pending> cut_into_blocks(SearchSpace space, const RefineOptions& ref
   while (!frontier.empty() && !progress.cancelled()) {
     std::vector<std::array<OpenCell, 8>> refined(frontier.size());
     for_chunks(frontier.size(), 1, [&](std::size_t i, std::size_t) {
-      if (progress.poll()) refined[i] = refine(space, tree.lattice, frontier[i].open, refining);
+      if (!progress.poll()) return;
+      refined[i] = refine(space, tree.lattice, frontier[i].open, refining, scratches.local());
     });
     std::vector<Pending> next;
     for (std::size_t i = 0; i < frontier.size(); ++i) {
@@ -85,7 +90,8 @@ Octree build_octree(SearchSpace space, const Lattice& lattice, const BuildOption
   const RefineOptions refining{
       options.lists,
       std::max<std::uint64_t>(1024, 16 * static_cast<std::uint64_t>(options.max_triangles_per_leaf))};
-  std::vector<Pending> seeds = cut_into_blocks(space, refining, tree, progress);
+  Scratches scratches;
+  std::vector<Pending> seeds = cut_into_blocks(space, refining, scratches, tree, progress);
   std::uint64_t rooted = 0;
   for (const Pending& seed : seeds) rooted += seed.open.triangles;
   std::vector<std::vector<LevelStats>> levels(seeds.size());
@@ -94,7 +100,7 @@ Octree build_octree(SearchSpace space, const Lattice& lattice, const BuildOption
   for_chunks(seeds.size(), 1, [&](std::size_t i, std::size_t) {
     if (progress.cancelled()) return;
     const std::uint64_t most = most_leaves(options, space.triangles.size(), seeds[i].open.triangles, rooted);
-    BlockBuilder builder(space, lattice, options, refining, most, progress);
+    BlockBuilder builder(space, lattice, options, refining, scratches.local(), most, progress);
     tree.blocks[i] = builder.build(std::move(seeds[i].open), seeds[i].inherited);
     levels[i] = builder.levels();
     progress.step();

@@ -1,11 +1,72 @@
 #include "octree/influence.h"
 
-#include <algorithm>
 #include <cmath>
+
+// Compiled once for each instruction set. Comparisons give the same bits from every set.
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "octree/influence.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace cdfr {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::CappedTag<double, group_size>;
+
+/// Lanes first .. first + Lanes - 1 of a group, added to what is kept.
+HWY_INLINE void sift(const DominanceThresholds& thresholds, const SampleDistances& distances,
+                     std::size_t child, std::size_t first, std::uint8_t lanes, KeptLanes& kept) {
+  const Tag d;
+  hn::Vec<Tag> from[8];
+  for (std::size_t c = 0; c < 8; ++c) {
+    from[c] = hn::Load(d, distances.squared[corner_sample(child, c)].data() + first);
+  }
+  std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> first)};  // Highway stores up to eight bytes
+  auto left = hn::LoadMaskBits(d, bits);
+  for (const std::array<double, 8>& threshold : thresholds) {
+    auto dropped = hn::Gt(from[0], hn::Set(d, threshold[0]));
+    for (std::size_t c = 1; c < 8; ++c) {
+      dropped = hn::And(dropped, hn::Gt(from[c], hn::Set(d, threshold[c])));
+    }
+    left = hn::AndNot(dropped, left);
+    if (hn::AllFalse(d, left)) return;
+  }
+  const auto centre = hn::Load(d, distances.squared[centre_sample(child)].data() + first);
+  const double least = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(left, centre, hn::Inf(d))));
+  kept.least_squared = least < kept.least_squared ? least : kept.least_squared;
+  kept.count = static_cast<std::uint8_t>(kept.count + hn::CountTrue(d, left));
+  hn::StoreMaskBits(d, left, bits);
+  kept.lanes = static_cast<std::uint8_t>(kept.lanes | bits[0] << first);
+}
+
+void sift_lanes_here(const std::array<CornerDominance, 8>& rules, const SampleDistances& distances,
+                     std::uint8_t lanes, unsigned children, std::array<KeptLanes, 8>& kept) {
+  for (std::size_t child = 0; child < 8; ++child) {
+    kept[child] = {0, 0, HUGE_VAL};
+    if ((children >> child & 1U) == 0) continue;
+    for (std::size_t first = 0; first < group_size; first += hn::Lanes(Tag())) {
+      sift(rules[child].thresholds(), distances, child, first, lanes, kept[child]);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cdfr
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include <algorithm>
 
 #include "geometry/box_distance.h"
 
 namespace cdfr {
+
+HWY_EXPORT(sift_lanes_here);
+
 namespace {
 
 constexpr double root_three_above = 1.7320508075688774;
@@ -17,19 +78,19 @@ constexpr double up = 1 + 16 * unit_roundoff;
 CornerDominance::CornerDominance(const Lattice& lattice, const std::array<Vec3, 8>& corners,
                                  const Dominators& dominators) noexcept {
   const double shift = root_three_above * lattice.grown() * up;
-  const double eps = estimate_error * lattice.reach();
-  const double s = 2 * eps;
+  const double w = (2 * estimate_error * lattice.reach() + 2 * shift) * up;
   for (std::size_t k = 0; k < dominator_count; ++k) {
-    std::array<double, 8> away;
+    const Vec3& q = dominators[k];
+    std::array<double, 8>& threshold = thresholds_[k];
     double farthest = 0;
     for (std::size_t c = 0; c < 8; ++c) {
-      away[c] = distance_between(corners[c], dominators[k]) * up + shift;
-      farthest = std::max(farthest, away[c]);
+      const double x = corners[c].x - q.x, y = corners[c].y - q.y, z = corners[c].z - q.z;
+      threshold[c] = (x * x + y * y + z * z) * up;
+      farthest = std::max(farthest, threshold[c]);
     }
-    for (std::size_t c = 0; c < 8; ++c) {
-      const double needed = std::sqrt(away[c] * away[c] + 2 * s * farthest + s * s) * up + shift + eps;
-      thresholds_[k][c] = needed * needed * up;
-    }
+    const double away = std::sqrt(farthest) * up + shift;
+    const double slack = w * (2 * away + w);
+    for (double& t : threshold) t = (t + slack) * up;
   }
 }
 
@@ -42,20 +103,9 @@ bool CornerDominance::drops(const std::array<double, 8>& squared) const noexcept
   return false;
 }
 
-std::uint8_t CornerDominance::keeps(const std::array<const GroupDistances*, 8>& squared) const noexcept {
-  std::array<std::uint64_t, group_size> dropped{};
-  for (const auto& threshold : thresholds_) {
-    std::array<std::uint64_t, group_size> all;
-    all.fill(1);
-    for (std::size_t c = 0; c < 8; ++c) {
-      for (std::size_t lane = 0; lane < group_size; ++lane)
-        all[lane] &= (*squared[c])[lane] > threshold[c] ? 1U : 0U;
-    }
-    for (std::size_t lane = 0; lane < group_size; ++lane) dropped[lane] |= all[lane];
-  }
-  unsigned kept = 0;
-  for (std::size_t lane = 0; lane < group_size; ++lane) kept |= (dropped[lane] == 0 ? 1U : 0U) << lane;
-  return static_cast<std::uint8_t>(kept);
+void sift_lanes(const std::array<CornerDominance, 8>& rules, const SampleDistances& distances,
+                std::uint8_t lanes, unsigned children, std::array<KeptLanes, 8>& kept) noexcept {
+  HWY_DYNAMIC_DISPATCH(sift_lanes_here)(rules, distances, lanes, children, kept);
 }
 
 double band_threshold(const Lattice& lattice, int level, double least) noexcept {
@@ -68,3 +118,4 @@ double band_threshold(const Lattice& lattice, int level, double least) noexcept 
 }
 
 }  // namespace cdfr
+#endif

@@ -15,10 +15,11 @@
 ///  eps;
 ///  - the kernel is within 2^-93 R of the truth, once for T and once for the winner.
 /// So s = 2 eps does. Squared, with D >= |P - q| on the grown cell: d(P,T)^2 - |P - q|^2 > 2 s D + s^2
-/// suffices, and by concavity it suffices at the corners C' of the grown cell. With |C' - C| <= sqrt(3) g:
-/// d(C',T) >= d(C,T) - sqrt(3) g and |C' - q| <= |C - q| + sqrt(3) g. So T may go if at each corner
-///     d(C,T) > sqrt((|C - q| + sqrt(3) g)^2 + 2 s D + s^2) + sqrt(3) g,
-/// and an estimate of d(C,T) must exceed that by eps more. The right side, squared, is the threshold below.
+/// suffices, and by concavity it suffices at the corners C' of the grown cell. With |C' - C| <= h = sqrt(3)
+/// g: d(C',T) >= d(C,T) - h and |C' - q| <= |C - q| + h. So T may go if at each corner
+///     d(C,T) > sqrt((|C - q| + h)^2 + 2 s D + s^2) + h.
+/// The root is at most D + s, so the square of the right side is at most |C - q|^2 + w (2 D + w) with
+/// w = s + 2 h: the threshold below, which takes one root a dominator.
 ///
 /// **Band.** The source paper's rule (papers/huang-2001, sections 3.4 and 4): keep T if its distance from the
 /// centre is at most m + sqrt(3) s, m the smallest. The same slack is added.
@@ -30,7 +31,7 @@
 #include <span>
 
 #include "cdfr/core/types.h"
-#include "geometry/triangle_group.h"
+#include "geometry/sample_distances.h"
 #include "octree/lattice.h"
 
 namespace cdfr {
@@ -39,7 +40,10 @@ namespace cdfr {
 inline constexpr std::size_t dominator_count = 9;
 using Dominators = std::array<Vec3, dominator_count>;
 
-/// Thresholds for one cell on squared estimates from its corners.
+/// By dominator, then by corner.
+using DominanceThresholds = std::array<std::array<double, 8>, dominator_count>;
+
+/// Thresholds for one cell on squared distances from its corners, or lower bounds on them.
 class CornerDominance {
  public:
   CornerDominance() = default;
@@ -47,14 +51,24 @@ class CornerDominance {
                   const Dominators& dominators) noexcept;
 
   /// True if something whose squared distances from the corners are at least these wins nowhere in the cell.
-  /// `squared` may be lower bounds or estimates.
   bool drops(const std::array<double, 8>& squared) const noexcept;
-  /// The same for the eight triangles of a group at once: bit i of the result says that triangle i may win.
-  std::uint8_t keeps(const std::array<const GroupDistances*, 8>& squared) const noexcept;
+  const DominanceThresholds& thresholds() const noexcept { return thresholds_; }
 
  private:
-  std::array<std::array<double, 8>, dominator_count> thresholds_{};
+  DominanceThresholds thresholds_{};
 };
+
+/// What is left of a group in one child.
+struct KeptLanes {
+  std::uint8_t lanes;    ///< bit i: triangle i may win
+  std::uint8_t count;    ///< of set bits
+  double least_squared;  ///< from the child's centre, over these lanes
+};
+
+/// Tests the given lanes of a group against the rules of the given children (bits too), all triangles at
+/// once.
+void sift_lanes(const std::array<CornerDominance, 8>& rules, const SampleDistances& distances,
+                std::uint8_t lanes, unsigned children, std::array<KeptLanes, 8>& kept) noexcept;
 
 /// Threshold of the band rule on squared estimates from the centre. `least` is an estimate of the smallest
 /// distance from it.

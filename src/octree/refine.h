@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cdfr/octree/options.h"
-#include "octree/blocks.h"
+#include "geometry/sample_distances.h"
 #include "octree/influence.h"
 #include "octree/key.h"
 #include "octree/lattice.h"
@@ -14,13 +14,19 @@
 
 namespace cdfr {
 
-/// A cell under construction. Its list is complete (influence.h), ascending by a lower bound on the distance
-/// from the centre.
+/// A BVH node in the list of a cell under construction, most often a group.
+struct Candidate {
+  double squared;  ///< at most the squared distance of its kept triangles from the cell's centre
+  std::uint32_t node;
+  std::uint8_t lanes;  ///< triangles of a group that may win; all of them for larger nodes
+};
+
+/// A cell under construction. Its list is complete (influence.h), in the BVH's order.
 struct OpenCell {
   Cell cell;
-  std::vector<Entry> list;
+  std::vector<Candidate> list;
   Dominators dominators{};
-  std::uint64_t triangles = 0;  ///< kept, under all entries
+  std::uint64_t triangles = 0;  ///< kept, under all candidates
 };
 
 struct RefineOptions {
@@ -30,12 +36,21 @@ struct RefineOptions {
   std::uint64_t open_below = 1024;
 };
 
+/// What one refinement after another works with, so that none has to allocate it anew.
+struct RefineScratch {
+  std::vector<Candidate> groups;           ///< of a list that is taken apart
+  std::vector<SampleDistances> distances;  ///< theirs
+  NearestOfSamples nearest;
+  std::array<CornerDominance, 8> rules;
+  std::array<std::vector<Candidate>, 8> lists;
+};
+
 /// The virtual cube with everything in its list.
 OpenCell root_cell(SearchSpace space);
 
 /// The eight children with their lists; a child outside the brick gets an empty one. Runs alone, allocates
 /// lists only.
 std::array<OpenCell, 8> refine(SearchSpace space, const Lattice& lattice, const OpenCell& parent,
-                               const RefineOptions& options);
+                               const RefineOptions& options, RefineScratch& scratch);
 
 }  // namespace cdfr

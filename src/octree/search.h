@@ -17,9 +17,14 @@
 
 namespace cdfr {
 
-/// The BVH node that an entry stands for.
-inline std::uint32_t node_of(const Bvh& bvh, const Entry& entry) noexcept {
-  return entry.is_group() ? bvh.group_nodes[entry.number()] : entry.number();
+/// The groups that an entry stands for: first .. end - 1.
+struct GroupRange {
+  std::uint32_t first, end;
+};
+inline GroupRange groups_of(const Bvh& bvh, const Entry& entry) noexcept {
+  if (entry.is_group()) return {entry.number(), entry.number() + 1};
+  const BvhNode& node = bvh.nodes[entry.number()];
+  return {node.first_group, node.end_group};
 }
 
 /// `Accept` is called with (slot, estimated squared distance) for each triangle that is not yet known to

@@ -153,7 +153,6 @@ Result<StoredField> load(const std::filesystem::path& path) {
   if (!split(sections, field.tree.blocks)) return refusal(sizeof(format::Head), "block sizes do not add up");
   field.tree.levels = sections.next<LevelStats>();
   if (Result<void> good = check_field(field); !good) return good.error();
-  field.bvh.index_groups();
   derive_sides(field);
   derive_scan_groups(field);
   index_leaves(field);

@@ -52,9 +52,10 @@ std::vector<LeafAt> leaves_of(const Block& block) {
 std::uint64_t length(const Built& built, const Block& block, const LeafRecord& leaf) {
   std::uint64_t sum = 0;
   for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count(); ++i) {
-    const BvhNode& node = built.bvh.nodes[node_of(built.bvh, block.entries[i])];
-    sum += node.is_group() ? static_cast<std::uint64_t>(std::popcount(block.entries[i].lanes()))
-                           : std::uint64_t{node.groups()} * group_size;
+    const Entry& entry = block.entries[i];
+    const auto [first, end] = groups_of(built.bvh, entry);
+    sum += entry.is_group() ? static_cast<std::uint64_t>(std::popcount(entry.lanes()))
+                            : std::uint64_t{end - first} * group_size;
   }
   return sum;
 }
@@ -91,9 +92,8 @@ TEST(BuildOctree, ListsAscendAndNameNothingTwice) {
           EXPECT_LE(block.entries[i - 1].distance(), entry.distance());
         }
         EXPECT_NE(entry.lanes(), 0);
-        const BvhNode& node = built.bvh.nodes[node_of(built.bvh, entry)];
-        for (std::uint32_t g = node.first_group; g < node.end_group; ++g)
-          EXPECT_TRUE(groups.insert(g).second);
+        const auto [first, end] = groups_of(built.bvh, entry);
+        for (std::uint32_t g = first; g < end; ++g) EXPECT_TRUE(groups.insert(g).second);
       }
     }
   }

@@ -81,18 +81,29 @@ TEST(CornerDominance, LanesAgreeWithSingles) {
   for (int i = 0; i < 2000; ++i) {
     Dominators dominators;
     for (Vec3& q : dominators) q = random.in(around);
-    const CornerDominance rule(unit_lattice, unit_corners(), dominators);
-    std::array<GroupDistances, 8> distances;
-    std::array<const GroupDistances*, 8> pointers;
-    for (std::size_t c = 0; c < 8; ++c) {
-      for (double& d : distances[c]) d = random.between(0, 6);
-      pointers[c] = &distances[c];
+    std::array<CornerDominance, 8> rules;
+    rules.fill(CornerDominance(unit_lattice, unit_corners(), dominators));
+    SampleDistances distances;
+    for (GroupDistances& squared : distances.squared) {
+      for (double& d : squared) d = random.between(0, 6);
     }
-    const std::uint8_t kept = rule.keeps(pointers);
-    for (std::size_t lane = 0; lane < group_size; ++lane) {
-      std::array<double, 8> squared;
-      for (std::size_t c = 0; c < 8; ++c) squared[c] = distances[c][lane];
-      EXPECT_EQ((kept >> lane & 1) == 0, rule.drops(squared));
+    const auto lanes = static_cast<std::uint8_t>(random.below(256));
+    std::array<KeptLanes, 8> kept;
+    sift_lanes(rules, distances, lanes, 0xff, kept);
+    for (std::size_t child = 0; child < 8; ++child) {
+      KeptLanes expected{0, 0, HUGE_VAL};
+      for (std::size_t lane = 0; lane < group_size; ++lane) {
+        std::array<double, 8> squared;
+        for (std::size_t c = 0; c < 8; ++c) squared[c] = distances.squared[corner_sample(child, c)][lane];
+        if ((lanes >> lane & 1) == 0 || rules[child].drops(squared)) continue;
+        expected.lanes |= static_cast<std::uint8_t>(1U << lane);
+        ++expected.count;
+        expected.least_squared =
+            std::min(expected.least_squared, distances.squared[centre_sample(child)][lane]);
+      }
+      EXPECT_EQ(kept[child].lanes, expected.lanes);
+      EXPECT_EQ(kept[child].count, expected.count);
+      EXPECT_EQ(kept[child].least_squared, expected.least_squared);
     }
   }
 }
