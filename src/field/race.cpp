@@ -15,12 +15,29 @@ bool beats(const Winner& a, const Winner& b) noexcept {
 
 void Race::challenge(std::uint32_t slot) noexcept {
   const TriangleShape shape = triangles_.shape(slot);
-  const Winner challenger{measure(p_, shape), slot, triangles_.records[slot].number};
-  if (rounded(shape.normal) != Vec3{}) {
+  const TriangleRecord& record = triangles_.records[slot];
+  const PlaceEstimate estimate = estimate_place(p_, shape);
+  const bool has_area = rounded(shape.normal) != Vec3{};
+  if (has_area && shares_foot(estimate.place, record)) {
+    Winner& best = proper_.winner;
+    if (record.number > best.number) return;
+    best.foot.place = estimate.place;
+    best.slot = slot;
+    best.number = record.number;
+    return;
+  }
+  const Winner challenger{measure(p_, shape, estimate), slot, record.number};
+  if (has_area) {
     challenge_proper(challenger);
   } else if (beats(challenger, flat_)) {
     flat_ = challenger;
   }
+}
+
+/// The kernel's foot on an edge or vertex is the same bits, whichever triangle it comes from, unless one of
+/// them finds p on itself.
+bool Race::shares_foot(TrianglePlace place, const TriangleRecord& record) const noexcept {
+  return place != unsure_place && proper_.winner.foot.squared.hi > 0 && same_feature(place, record);
 }
 
 /// The kernel is within 2^-93 R of the truth, and R is at most 4 times the size; an edge may stand for a face
@@ -40,23 +57,29 @@ void Race::challenge_proper(const Winner& challenger) noexcept {
     proper_.rival_count = 0;
     proper_.crowded = false;
   }
-  if (tied && !same_feature(challenger, best)) add_rival(wins ? best : challenger);
+  if (tied && !same_feature(challenger.foot.place, triangles_.records[challenger.slot])) {
+    add_rival(wins ? best.slot : challenger.slot);
+  }
   if (wins) best = challenger;
 }
 
-void Race::add_rival(const Winner& loser) noexcept {
+void Race::add_rival(std::uint32_t slot) noexcept {
   if (proper_.rival_count == proper_.rivals.size()) {
     proper_.crowded = true;
   } else {
-    proper_.rivals[proper_.rival_count++] = loser;
+    proper_.rivals[proper_.rival_count++] = slot;
   }
 }
 
-bool Race::same_feature(const Winner& a, const Winner& b) const noexcept {
-  const auto &ra = triangles_.records[a.slot], &rb = triangles_.records[b.slot];
-  const TrianglePlace pa = a.foot.place, pb = b.foot.place;
-  if (pa >= 4 && pb >= 4) return ra.vertices[pa - 4] == rb.vertices[pb - 4];
-  if (pa >= 1 && pa < 4 && pb >= 1 && pb < 4) return ra.edges[pa - 1] == rb.edges[pb - 1];
+bool Race::same_feature(TrianglePlace place, const TriangleRecord& record) const noexcept {
+  const Winner& best = proper_.winner;
+  if (best.slot == no_index) return false;
+  const TrianglePlace other = best.foot.place;
+  const TriangleRecord& others = triangles_.records[best.slot];
+  if (place >= 4 && other >= 4) return record.vertices[place - 4] == others.vertices[other - 4];
+  if (place >= 1 && place < 4 && other >= 1 && other < 4) {
+    return record.edges[place - 1] == others.edges[other - 1];
+  }
   return false;
 }
 

@@ -18,14 +18,14 @@ struct Winner {
 };
 
 /// What a search brings home. Rounding may have put the winner before a feature that is closer in truth:
-/// `rivals` are other features whose computed distance is as small but for rounding. The true closest one is
-/// among them.
+/// `rivals` are triangles on whose features the computed distance is as small but for rounding. The true
+/// closest feature is among them or the winner's.
 struct Finding {
   Winner winner;
   Side leaf = Side::undecided;  ///< side of the leaf that held p
   bool crowded = false;         ///< there are more rivals than these
   std::uint8_t rival_count = 0;
-  std::array<Winner, 4> rivals;
+  std::array<std::uint32_t, 4> rivals{};  ///< slots: rare, so they are measured again by who asks
 };
 
 /// Who is closest so far. A triangle of no area wins only where nothing else is as close: if it is part of a
@@ -43,8 +43,10 @@ class Race {
 
  private:
   void challenge_proper(const Winner& challenger) noexcept;
-  void add_rival(const Winner& loser) noexcept;
-  bool same_feature(const Winner& a, const Winner& b) const noexcept;
+  void add_rival(std::uint32_t slot) noexcept;
+  /// Is that place of a triangle the edge or vertex on which the best foot lies?
+  bool same_feature(TrianglePlace place, const TriangleRecord& record) const noexcept;
+  bool shares_foot(TrianglePlace place, const TriangleRecord& record) const noexcept;
 
   Vec3 p_;
   const TriangleStore& triangles_;

@@ -20,24 +20,25 @@ double reach_of(const Vec3& p, const TriangleShape& triangle) noexcept {
 }
 
 /// What the surface around one feature says, if that is the closest one; 0 if it does not tell.
-int by_normals(const FieldData& field, const Vec3& p, const Winner& winner) noexcept {
-  const TriangleRecord& record = field.triangles.records[winner.slot];
+int by_normals(const FieldData& field, const Vec3& p, const Foot& foot, std::uint32_t slot) noexcept {
+  const TriangleRecord& record = field.triangles.records[slot];
   const Sides sides = field.sign == Sign::pseudonormal ? Sides::outward : record.sides;
   if (sides == Sides::unknown) return 0;
-  const bool on_face = winner.foot.place == 0;
-  const Vec3 normal = on_face ? Vec3{} : field.pseudonormals.at(winner.foot.place, record);
+  const bool on_face = foot.place == 0;
+  const Vec3 normal = on_face ? Vec3{} : field.pseudonormals.at(foot.place, record);
   if (!on_face && normal == Vec3{}) return 0;
   if (sides == Sides::both_inside) return -1;
   if (sides == Sides::both_outside) return 1;
-  if (on_face) return winner.foot.along.hi > 0 ? 1 : -1;
-  return side_of_normal(winner.foot, normal, reach_of(p, field.triangles.shape(winner.slot)));
+  if (on_face) return foot.along.hi > 0 ? 1 : -1;
+  return side_of_normal(foot, normal, reach_of(p, field.triangles.shape(slot)));
 }
 
 /// All that may be closest have to agree.
 int by_closest(const FieldData& field, const Vec3& p, const Finding& finding) noexcept {
-  int side = finding.crowded ? 0 : by_normals(field, p, finding.winner);
+  int side = finding.crowded ? 0 : by_normals(field, p, finding.winner.foot, finding.winner.slot);
   for (std::uint8_t i = 0; i < finding.rival_count && side != 0; ++i) {
-    if (by_normals(field, p, finding.rivals[i]) != side) side = 0;
+    const std::uint32_t slot = finding.rivals[i];
+    if (by_normals(field, p, measure(p, field.triangles.shape(slot)), slot) != side) side = 0;
   }
   return side != 0 ? side : by_crossings(field, p);
 }

@@ -14,10 +14,6 @@ namespace {
 
 double sum_of_magnitudes(const Vec3& v) noexcept { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
-/// Share of |p - v|_1 below which a height or an edge distance may be rounding alone: above the 2^-96 R of
-/// the header.
-constexpr double negligible = 0x1p-94;
-
 Foot on_vertex(const Vec3& p, const Vec3& v, int corner) noexcept {
   Foot foot;
   foot.offset = difference(p, v);
@@ -26,27 +22,24 @@ Foot on_vertex(const Vec3& p, const Vec3& v, int corner) noexcept {
   return foot;
 }
 
-/// Edge k in the direction from its vertex that comes first by coordinates, and how that runs against the
-/// triangle: both turn round with the triangle, so what is computed from them does not.
+/// Edge k in the direction from its corner that comes first by coordinates: turns round with the triangle, so
+/// what is computed from it does not.
 struct CanonicalEdge {
-  const Vec3& from;
-  const Vec3& to;
-  double sign;
+  int from, to;
+  bool reversed;  ///< against the triangle's own direction
 };
 
 CanonicalEdge canonical_edge(const TriangleShape& triangle, int k) noexcept {
-  const Vec3& a = triangle.vertices[k];
-  const Vec3& b = triangle.vertices[(k + 1) % 3];
-  if (precedes(b, a)) return {b, a, -1};
-  return {a, b, 1};
+  const int next = k < 2 ? k + 1 : 0;
+  if (precedes(triangle.vertices[next], triangle.vertices[k])) return {next, k, true};
+  return {k, next, false};
 }
 
 /// Distance to edge k in a canonical direction, so that both its triangles do the same arithmetic.
 Foot on_edge(const Vec3& p, const TriangleShape& triangle, int k) noexcept {
-  const auto [a, b, sign] = canonical_edge(triangle, k);
-  const bool reversed = sign < 0;
-  const int from = reversed ? (k + 1) % 3 : k;
-  const int to = reversed ? k : (k + 1) % 3;
+  const auto [from, to, reversed] = canonical_edge(triangle, k);
+  const Vec3& a = triangle.vertices[from];
+  const Vec3& b = triangle.vertices[to];
   const DoubleDouble3 r = difference(p, a);
   const DoubleDouble3 e = difference(b, a);
   const DoubleDouble s = dot(r, e);
@@ -57,60 +50,39 @@ Foot on_edge(const Vec3& p, const TriangleShape& triangle, int k) noexcept {
   Foot foot;
   for (int i = 0; i < 3; ++i) foot.offset[i] = r[i] - e[i] * t;
   foot.squared = dot(foot.offset, foot.offset);
-  const double doubt = negligible * sum_of_magnitudes(rounded(r));
+  const double doubt = negligible_height * sum_of_magnitudes(rounded(r));
   if (foot.squared.hi <= doubt * doubt && collinear(a, b, p)) {
     foot.offset = {};
     foot.squared = {};
   }
-  foot.along = reversed ? DoubleDouble{1, 0} - t : t;
+  foot.along = t;
   foot.place = static_cast<TrianglePlace>(1 + k);
   return foot;
 }
 
 /// Twice the signed area that p's projection spans with edge k, by the unit normal: positive inside.
 DoubleDouble area_beside(const Vec3& p, const TriangleShape& triangle, int k) noexcept {
-  const CanonicalEdge edge = canonical_edge(triangle, k);
+  const auto [from, to, reversed] = canonical_edge(triangle, k);
+  const Vec3& a = triangle.vertices[from];
   const DoubleDouble area =
-      dot(cross(difference(edge.to, edge.from), difference(p, edge.from)), triangle.normal);
-  return area * edge.sign;
-}
-
-struct Estimate {
-  double value, bound;
-};
-
-/// area_beside in double. Products carry two differences and one multiplication, the cross product one
-/// subtraction, the dot product one multiplication, the normal's rounding and two sums: 8u of |e|_1 |r|_1;
-/// 16u covers second order.
-Estimate estimated_area_beside(const Vec3& p, const TriangleShape& triangle, int k) noexcept {
-  const CanonicalEdge edge = canonical_edge(triangle, k);
-  const Vec3 e = minus(edge.to, edge.from);
-  const Vec3 r = minus(p, edge.from);
-  const double area = (e.y * r.z - e.z * r.y) * triangle.normal[0].hi +
-                      (e.z * r.x - e.x * r.z) * triangle.normal[1].hi +
-                      (e.x * r.y - e.y * r.x) * triangle.normal[2].hi;
-  return {area * edge.sign, 16 * unit_roundoff * sum_of_magnitudes(e) * sum_of_magnitudes(r)};
+      dot(cross(difference(triangle.vertices[to], a), difference(p, a)), triangle.normal);
+  return area * (reversed ? -1.0 : 1.0);
 }
 
 /// True only if the projection is certainly inside edge k: the area exceeds 2^-96 |e|_1 |r|_1. Its own error
 /// is below a third of that: 2^-98 from the normal, 40u^2 from cross and dot product. As a length it is below
 /// 3 * 2^-96 R.
 bool surely_beside(const Vec3& p, const TriangleShape& triangle, int k) noexcept {
-  const CanonicalEdge edge = canonical_edge(triangle, k);
-  const double size = sum_of_magnitudes(minus(edge.to, edge.from)) * sum_of_magnitudes(minus(p, edge.from));
+  const auto [from, to, reversed] = canonical_edge(triangle, k);
+  const Vec3& a = triangle.vertices[from];
+  const double size = sum_of_magnitudes(minus(triangle.vertices[to], a)) * sum_of_magnitudes(minus(p, a));
   return area_beside(p, triangle, k).hi > 0x1p-96 * size;
 }
 
-bool projects_inside(const Vec3& p, const TriangleShape& triangle) noexcept {
-  if (rounded(triangle.normal) == Vec3{}) return false;
-  bool doubtful[3];
+bool projects_inside(const Vec3& p, const TriangleShape& triangle, const PlaceEstimate& estimate) noexcept {
+  if (estimate.outside) return false;
   for (int k = 0; k < 3; ++k) {
-    const Estimate area = estimated_area_beside(p, triangle, k);
-    if (area.value < -area.bound) return false;
-    doubtful[k] = area.value <= area.bound;
-  }
-  for (int k = 0; k < 3; ++k) {
-    if (doubtful[k] && !surely_beside(p, triangle, k)) return false;
+    if (!estimate.beside[k] && !surely_beside(p, triangle, k)) return false;
   }
   return true;
 }
@@ -123,7 +95,7 @@ Foot on_face(const Vec3& p, const TriangleShape& triangle) noexcept {
   if (precedes(v[2], *base)) base = &v[2];
   const DoubleDouble3 r = difference(p, *base);
   DoubleDouble height = dot(r, triangle.normal);
-  const double doubt = negligible * sum_of_magnitudes(rounded(r));
+  const double doubt = negligible_height * sum_of_magnitudes(rounded(r));
   if (std::fabs(height.hi) <= doubt) {
     const int side = orientation(v[0], v[1], v[2], p);
     height = {side * std::fmax(std::fabs(height.hi), doubt / 2), 0};
@@ -135,32 +107,11 @@ Foot on_face(const Vec3& p, const TriangleShape& triangle) noexcept {
   return foot;
 }
 
-/// Distance to edge k in double: off by less than 26u R (the clamped parameter moves the foot by at most 17u
-/// R along the edge, differences, products and the root add 9u R); the bound is stated with |r|_1 + |e|_1 >=
-/// R.
-Estimate estimated_edge_distance(const Vec3& p, const TriangleShape& triangle, int k) noexcept {
-  const CanonicalEdge edge = canonical_edge(triangle, k);
-  const Vec3 e = minus(edge.to, edge.from);
-  const Vec3 r = minus(p, edge.from);
-  const double length = e.x * e.x + e.y * e.y + e.z * e.z;
-  const double s = r.x * e.x + r.y * e.y + r.z * e.z;
-  const double t = s > 0 ? (s < length ? s / length : 1) : 0;
-  const Vec3 o{r.x - t * e.x, r.y - t * e.y, r.z - t * e.z};
-  return {std::sqrt(o.x * o.x + o.y * o.y + o.z * o.z),
-          64 * unit_roundoff * (sum_of_magnitudes(e) + sum_of_magnitudes(r))};
-}
-
-Foot on_boundary(const Vec3& p, const TriangleShape& triangle) noexcept {
-  Estimate estimates[3];
-  double least = HUGE_VAL;
-  for (int k = 0; k < 3; ++k) {
-    estimates[k] = estimated_edge_distance(p, triangle, k);
-    least = std::fmin(least, estimates[k].value + estimates[k].bound);
-  }
+Foot on_boundary(const Vec3& p, const TriangleShape& triangle, const PlaceEstimate& estimate) noexcept {
   Foot best;
   bool found = false;
   for (int k = 0; k < 3; ++k) {
-    if (estimates[k].value - estimates[k].bound > least) continue;
+    if (!estimate.may_be_least[k]) continue;
     const Foot foot = on_edge(p, triangle, k);
     if (!found || foot.squared < best.squared) best = foot;
     found = true;
@@ -185,11 +136,10 @@ bool lies_on(const Vec3& p, const TriangleShape& triangle) noexcept {
   return positive == 0 || negative == 0;
 }
 
-}  // namespace
-
-Foot measure(const Vec3& p, const TriangleShape& triangle) noexcept {
-  if (projects_inside(p, triangle)) return on_face(p, triangle);
-  Foot foot = on_boundary(p, triangle);
+/// Where double precision leaves the place open.
+Foot decided(const Vec3& p, const TriangleShape& triangle, const PlaceEstimate& estimate) noexcept {
+  if (projects_inside(p, triangle, estimate)) return on_face(p, triangle);
+  Foot foot = on_boundary(p, triangle, estimate);
   // A face's border belongs to the edges as far as projections are doubtful: 2^-94 R.
   const auto& v = triangle.vertices;
   const double doubt = 0x1p-90 * (sum_of_magnitudes(minus(p, v[0])) + sum_of_magnitudes(minus(v[1], v[0])) +
@@ -202,14 +152,30 @@ Foot measure(const Vec3& p, const TriangleShape& triangle) noexcept {
   return foot;
 }
 
+}  // namespace
+
+Foot measure(const Vec3& p, const TriangleShape& triangle, const PlaceEstimate& estimate) noexcept {
+  const TrianglePlace place = estimate.place;
+  if (place == 0) return on_face(p, triangle);
+  if (place == unsure_place) return decided(p, triangle, estimate);
+  if (place < 4) return on_edge(p, triangle, place - 1);
+  return on_vertex(p, triangle.vertices[place - 4], place - 4);
+}
+
+Foot measure(const Vec3& p, const TriangleShape& triangle) noexcept {
+  return measure(p, triangle, estimate_place(p, triangle));
+}
+
 std::array<double, 3> barycentric(const Vec3& p, const TriangleShape& triangle, const Foot& foot) noexcept {
   std::array<double, 3> weights{};
   if (foot.place >= 4) {
     weights[foot.place - 4] = 1;
   } else if (foot.place >= 1) {
     const int k = foot.place - 1;
-    weights[k] = (DoubleDouble{1, 0} - foot.along).hi;
-    weights[(k + 1) % 3] = foot.along.hi;
+    const DoubleDouble rest = DoubleDouble{1, 0} - foot.along;
+    const DoubleDouble along = canonical_edge(triangle, k).reversed ? rest : foot.along;
+    weights[k] = (DoubleDouble{1, 0} - along).hi;
+    weights[(k + 1) % 3] = along.hi;
   } else {
     DoubleDouble areas[3];
     for (int k = 0; k < 3; ++k) areas[(k + 2) % 3] = area_beside(p, triangle, k);
