@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
-#include "core/floating_environment.h"
 #include "core/parallel.h"
 #include "core/progress.h"
+#include "field/batch.h"
 #include "field/build_field.h"
 #include "field/field_data.h"
 #include "field/grid_query.h"
@@ -22,16 +22,16 @@ namespace {
 constexpr std::size_t batch_chunk = 2048;
 
 template <class Answer>
-Result<void> for_points(Points x, const Run& run, Answer answer) {
-  const FloatingEnvironment environment;
+Result<void> answer_all(const FieldData& field, Points x, std::span<Answer> out, const Run& run) {
+  assert(out.size() == x.size());
   Progress progress(run);
   progress.phase(0, 1, static_cast<double>((x.size() + batch_chunk - 1) / batch_chunk));
   with_threads(run, [&] {
     for_chunks(x.size(), batch_chunk, [&](std::size_t first, std::size_t end) {
       if (progress.cancelled()) return;
-      for (std::size_t i = first; i < end; ++i) {
-        if (i % 64 == 0 && !progress.poll()) return;
-        answer(i);
+      for (std::size_t i = first; i < end; i += bundle_size) {
+        if (!progress.poll()) return;
+        answer_bundle(field, x, i, out.subspan(i, std::min(bundle_size, end - i)));
       }
       progress.step();
     });
@@ -53,8 +53,7 @@ double Field::distance(Vec3 x) const noexcept { return signed_distance(*data_, x
 Closest Field::closest(Vec3 x) const noexcept { return closest_point(*data_, x, Finder::tree); }
 
 Result<void> Field::distance(Points x, std::span<double> out, const Run& run) const {
-  assert(out.size() == x.size());
-  return for_points(x, run, [&](std::size_t i) { out[i] = distance(x[i]); });
+  return answer_all(*data_, x, out, run);
 }
 
 Result<void> Field::distance(const Grid& grid, std::span<double> out, const Run& run) const {
@@ -63,8 +62,7 @@ Result<void> Field::distance(const Grid& grid, std::span<double> out, const Run&
 }
 
 Result<void> Field::closest(Points x, std::span<Closest> out, const Run& run) const {
-  assert(out.size() == x.size());
-  return for_points(x, run, [&](std::size_t i) { out[i] = closest(x[i]); });
+  return answer_all(*data_, x, out, run);
 }
 
 Box Field::domain() const noexcept { return data_->tree.lattice.domain(); }

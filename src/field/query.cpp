@@ -60,23 +60,6 @@ class Contenders {
   std::size_t size_ = 0;
 };
 
-struct Query {
-  Vec3 p;            ///< what the kernel sees
-  double scale = 1;  ///< of the true distance to the kernel's
-};
-
-/// A query beyond largest_query is drawn in by a power of two: all of the mesh is equally close to it to far
-/// less than an ulp. Dust counts where the mesh is the origin alone, which looks the same at any size.
-Query admitted(const FieldData& field, const Vec3& x) noexcept {
-  const double size = largest_magnitude(x);
-  const bool is_origin = field.bounds() == Box{};
-  const bool tiny = is_origin && size < smallest_coordinate && size > 0;
-  if (!(size > largest_query) && !tiny) return {without_dust(x), 1};
-  const int excess = tiny ? std::ilogb(size) : std::ilogb(size) - std::ilogb(largest_query) + 1;
-  const Vec3 near{std::ldexp(x.x, -excess), std::ldexp(x.y, -excess), std::ldexp(x.z, -excess)};
-  return {without_dust(near), std::ldexp(1.0, excess)};
-}
-
 /// Bound on the distance from p to any point of the box.
 double reach_of(const Box& box, const Vec3& p) noexcept {
   return (distance_between(p, box.lo) + diagonal_above(box)) * (1 + 8 * unit_roundoff);
@@ -135,33 +118,45 @@ Vec3 gradient_of(const FieldData& field, const Winner& winner, const TriangleSha
 
 }  // namespace
 
+/// A query beyond largest_query is drawn in by a power of two: all of the mesh is equally close to it to far
+/// less than an ulp. Dust counts where the mesh is the origin alone, which looks the same at any size.
+Query admitted(const FieldData& field, const Vec3& x) noexcept {
+  const double size = largest_magnitude(x);
+  const bool is_origin = field.bounds() == Box{};
+  const bool tiny = is_origin && size < smallest_coordinate && size > 0;
+  if (!(size > largest_query) && !tiny) return {without_dust(x), 1};
+  const int excess = tiny ? std::ilogb(size) : std::ilogb(size) - std::ilogb(largest_query) + 1;
+  const Vec3 near{std::ldexp(x.x, -excess), std::ldexp(x.y, -excess), std::ldexp(x.z, -excess)};
+  return {without_dust(near), std::ldexp(1.0, excess)};
+}
+
 double size_of(const FieldData& field, const Vec3& p) noexcept {
   return std::max(
       {largest_magnitude(p), largest_magnitude(field.bounds().lo), largest_magnitude(field.bounds().hi)});
 }
 
-Finding closest_in_leaf(const FieldData& field, const Vec3& p, const LatticePoint& point,
-                        const Located& leaf) noexcept {
-  Finding finding;
-  Candidates candidates;
-  if (scan(field.scan_groups.data(), leaf.entries, point.at, leaf.from_centre, candidates)) {
-    Race race(p, field.triangles, size_of(field, p));
-    for (std::uint32_t i = 0; i < candidates.count; ++i) race.challenge(candidates.slots[i]);
-    finding = race.finding();
-  } else {
-    const Lattice& lattice = field.tree.lattice;
-    Search search(field.space(), p, lattice.reach(), Contenders(p, field));
-    search.list(leaf.entries, lattice.edge, leaf.from_centre * lattice.edge);
-    finding = search.accept().settle(search.reject());
-  }
-  finding.leaf = leaf.side;
-  return finding;
+Finding closest_among(const FieldData& field, const Vec3& p, const Candidates& candidates) noexcept {
+  Race race(p, field.triangles, size_of(field, p));
+  for (std::uint32_t i = 0; i < candidates.count; ++i) race.challenge(candidates.slots[i]);
+  return race.finding();
+}
+
+Finding closest_in_list(const FieldData& field, const Vec3& p, const Located& leaf) noexcept {
+  const Lattice& lattice = field.tree.lattice;
+  Search search(field.space(), p, lattice.reach(), Contenders(p, field));
+  search.list(leaf.entries, lattice.edge, leaf.from_centre * lattice.edge);
+  return search.accept().settle(search.reject());
 }
 
 Finding find_closest(const FieldData& field, const Vec3& p) noexcept {
   if (!field.index.empty() && field.index.contains(p)) {
     const LatticePoint point = field.index.place(p);
-    return closest_in_leaf(field, p, point, field.index.at(point, field.index.leaf(point)));
+    const Located leaf = field.index.at(point, field.index.leaf(point));
+    Candidates candidates;
+    const bool scanned = scan(field.scan_groups.data(), leaf.entries, point.at, leaf.from_centre, candidates);
+    Finding finding = scanned ? closest_among(field, p, candidates) : closest_in_list(field, p, leaf);
+    finding.leaf = leaf.side;
+    return finding;
   }
   Search search(field.space(), p, reach_of(field.bounds(), p), Contenders(p, field));
   search.descend(0);
@@ -190,12 +185,16 @@ Finding find_closest_brute(const FieldData& field, const Vec3& p) noexcept {
   return race.finding();
 }
 
+double signed_distance(const FieldData& field, const Query& query, const Finding& finding) noexcept {
+  int side = 1;
+  return signed_by(field, query, finding, side);
+}
+
 double signed_distance(const FieldData& field, const Vec3& x) noexcept {
   if (!is_finite(x)) return not_a_number;
   const FloatingEnvironment environment;
   const Query query = admitted(field, x);
-  int side = 1;
-  return signed_by(field, query, find_closest(field, query.p), side);
+  return signed_distance(field, query, find_closest(field, query.p));
 }
 
 double unsigned_distance(const FieldData& field, const Vec3& x) noexcept {
@@ -205,18 +204,8 @@ double unsigned_distance(const FieldData& field, const Vec3& x) noexcept {
   return square_root(find_closest(field, query.p).winner.foot.squared) * query.scale;
 }
 
-Closest closest_point(const FieldData& field, const Vec3& x, Finder finder) noexcept {
+Closest closest_point(const FieldData& field, const Query& query, const Finding& finding) noexcept {
   Closest result;
-  if (!is_finite(x)) {
-    result.distance = not_a_number;
-    result.point = result.gradient = {not_a_number, not_a_number, not_a_number};
-    result.barycentric = {not_a_number, not_a_number, not_a_number};
-    return result;
-  }
-  const FloatingEnvironment environment;
-  const Query query = admitted(field, x);
-  const Finding finding =
-      finder == Finder::tree ? find_closest(field, query.p) : find_closest_brute(field, query.p);
   const Winner& winner = finding.winner;
   const TriangleShape shape = field.triangles.shape(winner.slot);
   int side = 1;
@@ -230,6 +219,21 @@ Closest closest_point(const FieldData& field, const Vec3& x, Finder finder) noex
   result.element = static_cast<std::uint8_t>(place == 0 ? 0 : (place - 1) % 3);
   result.barycentric = barycentric(query.p, shape, winner.foot);
   return result;
+}
+
+Closest closest_point(const FieldData& field, const Vec3& x, Finder finder) noexcept {
+  if (!is_finite(x)) {
+    Closest nowhere;
+    nowhere.distance = not_a_number;
+    nowhere.point = nowhere.gradient = {not_a_number, not_a_number, not_a_number};
+    nowhere.barycentric = {not_a_number, not_a_number, not_a_number};
+    return nowhere;
+  }
+  const FloatingEnvironment environment;
+  const Query query = admitted(field, x);
+  return closest_point(
+      field, query,
+      finder == Finder::tree ? find_closest(field, query.p) : find_closest_brute(field, query.p));
 }
 
 }  // namespace cdfr

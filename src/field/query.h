@@ -4,11 +4,27 @@
 #include "cdfr/field/field.h"
 #include "field/field_data.h"
 #include "field/race.h"
+#include "octree/scan.h"
 
 namespace cdfr {
 
 /// Largest coordinate of p and the mesh.
 double size_of(const FieldData& field, const Vec3& p) noexcept;
+
+/// A point as the kernel sees it.
+struct Query {
+  Vec3 p;
+  double scale = 1;  ///< of the true distance to the kernel's
+};
+
+/// Precondition: x is finite.
+Query admitted(const FieldData& field, const Vec3& x) noexcept;
+
+/// Among what a scan has left.
+Finding closest_among(const FieldData& field, const Vec3& p, const Candidates& candidates) noexcept;
+
+/// In the list of the leaf that p is in, where a scan has not served.
+Finding closest_in_list(const FieldData& field, const Vec3& p, const Located& leaf) noexcept;
 
 /// By the leaf's list in the domain, by the BVH beyond. Precondition: p is finite, within largest_query,
 /// without dust.
@@ -19,8 +35,10 @@ Finding find_closest_brute(const FieldData& field, const Vec3& p) noexcept;
 
 enum class Finder { tree, brute };
 
+double signed_distance(const FieldData& field, const Query& query, const Finding& finding) noexcept;
 double signed_distance(const FieldData& field, const Vec3& x) noexcept;
 double unsigned_distance(const FieldData& field, const Vec3& x) noexcept;
+Closest closest_point(const FieldData& field, const Query& query, const Finding& finding) noexcept;
 Closest closest_point(const FieldData& field, const Vec3& x, Finder finder) noexcept;
 
 }  // namespace cdfr

@@ -39,6 +39,15 @@ struct TriangleStore {
     const std::size_t left = records.size() - std::size_t{group} * group_size;
     return left < group_size ? left : group_size;
   }
+  /// Calls for the lines that shape and record read.
+  void prefetch(std::uint32_t slot) const noexcept {
+    const TriangleGroup& g = groups[slot / group_size];
+    for (const auto& corner : g.vertices) {
+      for (const auto& axis : corner) __builtin_prefetch(axis);
+    }
+    for (const auto& axis : g.normals) __builtin_prefetch(axis);
+    __builtin_prefetch(&records[slot]);
+  }
   TriangleShape shape(std::uint32_t slot) const noexcept {
     const TriangleGroup& g = groups[slot / group_size];
     const std::size_t lane = slot % group_size;
