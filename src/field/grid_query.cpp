@@ -8,9 +8,9 @@
 #include "core/floating_environment.h"
 #include "core/parallel.h"
 #include "core/progress.h"
+#include "field/contests.h"
 #include "field/grid_axes.h"
 #include "field/query.h"
-#include "field/side.h"
 #include "octree/tile_scan.h"
 
 namespace cdfr {
@@ -31,7 +31,7 @@ constexpr std::size_t most_in_tile = 64;
 class GridChunk {
  public:
   GridChunk(const FieldData& field, const Grid& grid, const GridAxes& axes, std::span<double> out)
-      : field_(field), grid_(grid), axes_(axes), out_(out) {
+      : field_(field), grid_(grid), axes_(axes), out_(out), alone_(field, out), several_(field, out) {
     list_.triangles.reserve(TileList::most + group_size);
   }
 
@@ -43,6 +43,8 @@ class GridChunk {
         for (std::uint32_t i = chunk[0].first; i < chunk[0].end;) i = from({i, j, k}, chunk);
       }
     }
+    alone_.settle();
+    several_.settle();
     return true;
   }
 
@@ -136,20 +138,17 @@ class GridChunk {
     std::array<std::uint64_t, TilePoints::most> kept;
     scan_tile(list_, numbers, points, kept.data());
     std::size_t number = 0;
-    for_samples(samples, [&](const Sample& sample) {
-      out_[place(sample)] = settled(axes_.point(sample), numbers, kept[number++]);
-    });
+    for_samples(samples, [&](const Sample& sample) { contest(sample, numbers, kept[number++]); });
   }
 
-  double settled(const Vec3& p, TileNumbers numbers, std::uint64_t kept) const {
-    Race race(p, field_.triangles, size_of(field_, p));
-    for (; kept != 0; kept &= kept - 1) {
-      race.challenge(list_.triangles[numbers[static_cast<std::size_t>(std::countr_zero(kept))]].slot);
+  void contest(const Sample& sample, TileNumbers numbers, std::uint64_t kept) {
+    std::array<std::uint32_t, Contests::most> slots;
+    const auto count = static_cast<std::size_t>(std::popcount(kept));
+    if (count > slots.size()) return singly(sample);
+    for (std::size_t i = 0; i < count; ++i, kept &= kept - 1) {
+      slots[i] = list_.triangles[numbers[static_cast<std::size_t>(std::countr_zero(kept))]].slot;
     }
-    Finding finding = race.finding();
-    finding.leaf = side_;
-    const double distance = square_root(finding.winner.foot.squared);
-    return side_of(field_, p, finding) < 0 ? -distance : distance;
+    (count == 1 ? alone_ : several_).add(place(sample), axes_.point(sample), side_, {slots.data(), count});
   }
 
   template <class Visit>
@@ -174,6 +173,8 @@ class GridChunk {
   const GridAxes& axes_;
   std::span<double> out_;
   TileList list_;
+  // Apart, since these lie on faces mostly, and those on edges and vertices.
+  Contests alone_, several_;
   std::array<double, 3> middle_{};  ///< of the leaf's samples, in edges
   Side side_ = Side::undecided;
 };
