@@ -10,6 +10,7 @@
 #include "field/batch.h"
 #include "field/build_field.h"
 #include "field/field_data.h"
+#include "field/grid_query.h"
 #include "field/leaves.h"
 #include "field/query.h"
 #include "field/stats.h"
@@ -53,6 +54,11 @@ Closest Field::closest(Vec3 x) const noexcept { return closest_point(*data_, x, 
 
 Result<void> Field::distance(Points x, std::span<double> out, const Run& run) const {
   return answer_all(*data_, x, out, run);
+}
+
+Result<void> Field::distance(const Grid& grid, std::span<double> out, const Run& run) const {
+  assert(out.size() == grid.count());
+  return grid_distances(*data_, grid, out, run);
 }
 
 Result<void> Field::closest(Points x, std::span<Closest> out, const Run& run) const {

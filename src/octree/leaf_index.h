@@ -44,6 +44,12 @@ class LeafIndex {
   std::uint32_t leaf(const LatticePoint& point) const noexcept;
   Located at(const LatticePoint& point, std::uint32_t leaf) const noexcept;
 
+  const Box& domain() const noexcept { return domain_; }
+  /// The leaf's cell is 2^up places wide.
+  std::uint32_t up(std::uint32_t leaf) const noexcept {
+    return static_cast<std::uint32_t>(deepest_level) - leaves_[leaf].level;
+  }
+
   void prefetch(std::uint32_t leaf) const noexcept { __builtin_prefetch(&leaves_[leaf]); }
   std::uint64_t bytes() const noexcept;
 

@@ -14,6 +14,7 @@
 #include "cdfr/core/result.h"
 #include "cdfr/core/run.h"
 #include "cdfr/core/types.h"
+#include "cdfr/field/grid.h"
 #include "cdfr/mesh/audit.h"
 #include "cdfr/mesh/mesh.h"
 #include "cdfr/octree/leaf.h"
@@ -64,6 +65,9 @@ class CDFR_API Field {
   Closest closest(Vec3 x) const noexcept;
   /// Batch forms: out[i] belongs to x[i]. Errors: cancelled. Precondition: out.size() == x.size().
   Result<void> distance(Points x, std::span<double> out, const Run& run = {}) const;
+  /// The same bits as distance(grid.point(i, j, k)), which neighbouring samples find together. Precondition:
+  /// out.size() == grid.count().
+  Result<void> distance(const Grid& grid, std::span<double> out, const Run& run = {}) const;
   Result<void> closest(Points x, std::span<Closest> out, const Run& run = {}) const;
 
   /// Box that the octree covers: at least the mesh's box grown by the margin.

@@ -1,0 +1,26 @@
+/// A regular lattice of sample points.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "cdfr/core/types.h"
+
+namespace cdfr {
+
+/// Samples are numbered with x fastest: (i, j, k) is number (k * size[1] + j) * size[0] + i. Spacings may
+/// differ, and be zero or negative.
+struct Grid {
+  Vec3 origin;
+  Vec3 spacing{1, 1, 1};
+  std::array<std::uint32_t, 3> size{};
+
+  std::size_t count() const noexcept { return std::size_t{size[0]} * size[1] * size[2]; }
+  /// Each coordinate is origin + spacing * index: the product rounded to double, then the sum.
+  Vec3 point(std::uint32_t i, std::uint32_t j, std::uint32_t k) const noexcept {
+    return {origin.x + spacing.x * i, origin.y + spacing.y * j, origin.z + spacing.z * k};
+  }
+};
+
+}  // namespace cdfr

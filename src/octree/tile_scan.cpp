@@ -1,0 +1,261 @@
+#include "octree/tile_scan.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+// Highway compiles this file once for each instruction set and picks one when the program runs. SVE is left
+// out: its vectors have no size at compile time; arm64 takes NEON.
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "octree/tile_scan.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace cdfr {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+/// Points side by side: the eight corners of a box and its octants' eight centres fill the widest vector.
+constexpr std::size_t probe_count = 16;
+using Tag = hn::CappedTag<float, probe_count>;
+using Vector = hn::Vec<Tag>;
+constexpr std::size_t lane_count = hn::MaxLanes(Tag());
+
+struct Vector3 {
+  Vector x, y, z;
+};
+
+HWY_INLINE Vector set(float value) { return hn::Set(Tag(), value); }
+HWY_INLINE Vector3 minus(const Vector3& p, const float (&q)[3]) {
+  return {hn::Sub(p.x, set(q[0])), hn::Sub(p.y, set(q[1])), hn::Sub(p.z, set(q[2]))};
+}
+HWY_INLINE Vector dot(const Vector3& a, const float (&b)[3]) {
+  return hn::MulAdd(a.z, set(b[2]), hn::MulAdd(a.y, set(b[1]), hn::Mul(a.x, set(b[0]))));
+}
+
+/// Squared distance from an edge; r is the point minus one of its ends, with `along` leading to the other.
+HWY_INLINE Vector from_edge(const Vector3& r, const TileTriangle::Edge& edge) {
+  const Vector ratio = hn::Mul(dot(r, edge.along), set(edge.over));
+  const Vector t = hn::Max(hn::Min(ratio, set(1)), hn::Zero(Tag()));
+  const Vector x = hn::NegMulAdd(set(edge.along[0]), t, r.x);
+  const Vector y = hn::NegMulAdd(set(edge.along[1]), t, r.y);
+  const Vector z = hn::NegMulAdd(set(edge.along[2]), t, r.z);
+  return hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x)));
+}
+
+HWY_INLINE hn::Mask<Tag> surely_inside(const Vector3& r, const TileTriangle::Edge& edge, Vector size) {
+  return hn::Gt(dot(r, edge.inwards), hn::Mul(set(edge.doubt), size));
+}
+
+HWY_INLINE Vector estimated(const Vector3& p, const TileTriangle& t) {
+  const Vector3 from_a = minus(p, t.a), from_b = minus(p, t.b);
+  const Vector least =
+      hn::Min(hn::Min(from_edge(from_a, t.ab), from_edge(from_b, t.bc)), from_edge(from_a, t.ca));
+  const Vector size =
+      hn::Add(hn::Add(hn::Abs(from_a.x), hn::Abs(from_a.y)), hn::Add(hn::Abs(from_a.z), set(t.extent)));
+  const auto inside = hn::And(hn::And(surely_inside(from_a, t.ab, size), surely_inside(from_b, t.bc, size)),
+                              surely_inside(from_a, t.ca, size));
+  const Vector height = dot(from_a, t.normal);
+  return hn::IfThenElse(inside, hn::Mul(height, height), least);
+}
+
+HWY_INLINE unsigned bits_of(hn::Mask<Tag> mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(Tag(), mask, bytes);
+  return (bytes[0] | unsigned{bytes[1]} << 8) & ((1U << lane_count) - 1);
+}
+
+/// (sqrt((t + k (t + reach) + f)^2 + m) + k reach + f) (1 + 2 k), squared.
+HWY_INLINE Vector beyond(Vector squared, float reach, float m) {
+  const float slack = tile_error * reach + scan_floor;
+  const Vector upper = hn::MulAdd(hn::Sqrt(squared), set(1 + tile_error), set(slack));
+  const Vector root = hn::Sqrt(hn::MulAdd(upper, upper, set(m)));
+  const Vector threshold = hn::Mul(hn::Add(root, set(slack)), set(1 + 2 * tile_error));
+  return hn::Mul(threshold, threshold);
+}
+
+struct Probes {
+  HWY_ALIGN float at[3][probe_count];
+};
+
+Probes probes_of(const TileBox& box) {
+  Probes probes;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float lo = box.lo[axis], hi = box.hi[axis], quarter = (hi - lo) / 4;
+    for (std::size_t c = 0; c < 8; ++c) {
+      const bool high = (c >> axis & 1U) != 0;
+      probes.at[axis][c] = high ? hi : lo;
+      probes.at[axis][c + 8] = high ? hi - quarter : lo + quarter;
+    }
+  }
+  return probes;
+}
+
+float spread_of(const TileBox& box, float reach) {
+  float sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float edge = box.hi[axis] - box.lo[axis] + 0x1p-22F * reach;
+    sum += edge * edge;
+  }
+  return sum / 4 * (1 + tile_error);
+}
+
+constexpr std::size_t most_numbers = TileList::most;
+
+std::size_t prune_here(const TileList& list, TileNumbers numbers, const TileBox& box, std::uint16_t* kept) {
+  const Tag d;
+  const Probes probes = probes_of(box);
+  const float m = spread_of(box, list.reach);
+  HWY_ALIGN float squared[most_numbers][probe_count];
+  HWY_ALIGN float thresholds[probe_count][probe_count];
+  HWY_ALIGN float closest[probe_count];
+  for (std::size_t lane = 0; lane < probe_count; lane += lane_count) {
+    const Vector3 p{hn::Load(d, probes.at[0] + lane), hn::Load(d, probes.at[1] + lane),
+                    hn::Load(d, probes.at[2] + lane)};
+    Vector least = set(std::numeric_limits<float>::infinity()), winner = hn::Zero(d);
+    for (std::size_t n = 0; n < numbers.size(); ++n) {
+      const Vector estimate = estimated(p, list.triangles[numbers[n]]);
+      hn::Store(estimate, d, squared[n] + lane);
+      const auto closer = hn::Lt(estimate, least);
+      least = hn::Min(estimate, least);
+      winner = hn::IfThenElse(closer, set(static_cast<float>(n)), winner);
+    }
+    hn::Store(winner, d, closest + lane);
+  }
+  std::uint64_t seen[most_numbers / 64] = {};
+  std::size_t dominators = 0;
+  for (const float number : closest) {
+    const auto n = static_cast<std::size_t>(number);
+    if ((seen[n / 64] >> n % 64 & 1U) != 0) continue;
+    seen[n / 64] |= std::uint64_t{1} << n % 64;
+    for (std::size_t lane = 0; lane < 8; lane += std::min<std::size_t>(lane_count, 8)) {
+      hn::Store(beyond(hn::Load(d, squared[n] + lane), list.reach, m), d, thresholds[dominators] + lane);
+    }
+    ++dominators;
+  }
+  std::size_t count = 0;
+  for (std::size_t n = 0; n < numbers.size(); ++n) {
+    bool dropped = false;
+    for (std::size_t k = 0; k < dominators && !dropped; ++k) {
+      unsigned farther = 0;
+      for (std::size_t lane = 0; lane < 8; lane += lane_count) {
+        farther |= bits_of(hn::Gt(hn::Load(d, squared[n] + lane), hn::Load(d, thresholds[k] + lane))) << lane;
+      }
+      dropped = (farther & 0xffU) == 0xffU;
+    }
+    if (!dropped) kept[count++] = numbers[n];
+  }
+  return count;
+}
+
+void scan_tile_here(const TileList& list, TileNumbers numbers, const TilePoints& points,
+                    std::uint64_t* kept) {
+  const Tag d;
+  HWY_ALIGN float squared[64][lane_count];
+  for (std::size_t first = 0; first < points.count; first += lane_count) {
+    const Vector3 p{hn::Load(d, points.at[0] + first), hn::Load(d, points.at[1] + first),
+                    hn::Load(d, points.at[2] + first)};
+    Vector least = set(std::numeric_limits<float>::infinity());
+    for (std::size_t n = 0; n < numbers.size(); ++n) {
+      const Vector estimate = estimated(p, list.triangles[numbers[n]]);
+      hn::Store(estimate, d, squared[n]);
+      least = hn::Min(least, estimate);
+    }
+    const Vector reject = beyond(least, list.reach, 0);
+    for (std::size_t lane = 0; lane < lane_count; ++lane) kept[first + lane] = 0;
+    for (std::size_t n = 0; n < numbers.size(); ++n) {
+      for (unsigned within = bits_of(hn::Le(hn::Load(d, squared[n]), reject)); within != 0;
+           within &= within - 1) {
+        kept[first + static_cast<std::size_t>(std::countr_zero(within))] |= std::uint64_t{1} << n;
+      }
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cdfr
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cdfr {
+
+HWY_EXPORT(prune_here);
+HWY_EXPORT(scan_tile_here);
+
+namespace {
+
+void set_edge(TileTriangle::Edge& edge, const float (&from)[3], const float (&to)[3],
+              const float (&normal)[3]) {
+  float length = 0, size = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    edge.along[axis] = to[axis] - from[axis];
+    length += edge.along[axis] * edge.along[axis];
+    size += std::fabs(edge.along[axis]);
+  }
+  edge.over = 1 / std::max(length, std::numeric_limits<float>::min());
+  const auto& e = edge.along;
+  edge.inwards[0] = normal[1] * e[2] - normal[2] * e[1];
+  edge.inwards[1] = normal[2] * e[0] - normal[0] * e[2];
+  edge.inwards[2] = normal[0] * e[1] - normal[1] * e[0];
+  edge.doubt = 16 * 0x1p-24F * size;
+}
+
+float size_of(const TileTriangle::Edge& edge) {
+  return std::fabs(edge.along[0]) + std::fabs(edge.along[1]) + std::fabs(edge.along[2]);
+}
+
+TileTriangle seen_from(const ScanGroup& group, std::uint32_t lane, const double (&shift)[3]) {
+  TileTriangle t;
+  float c[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    t.a[axis] = static_cast<float>(shift[axis] + group.vertices[0][axis][lane]);
+    t.b[axis] = static_cast<float>(shift[axis] + group.vertices[1][axis][lane]);
+    c[axis] = static_cast<float>(shift[axis] + group.vertices[2][axis][lane]);
+    t.normal[axis] = group.normals[axis][lane];
+  }
+  set_edge(t.ab, t.a, t.b, t.normal);
+  set_edge(t.bc, t.b, c, t.normal);
+  set_edge(t.ca, t.a, c, t.normal);
+  for (float& x : t.ca.inwards) x = -x;
+  t.extent = std::max(size_of(t.ab), size_of(t.ca));
+  return t;
+}
+
+}  // namespace
+
+bool TileList::fill(const ScanGroup* groups, std::span<const Entry> list, const Vec3& middle, double radius) {
+  triangles.clear();
+  float widest = 0;
+  for (const Entry& entry : list) {
+    if (!entry.is_group()) return false;
+    const ScanGroup& group = groups[entry.number()];
+    const double shift[3] = {group.origin[0] - middle.x, group.origin[1] - middle.y,
+                             group.origin[2] - middle.z};
+    widest = std::max(widest, group.reach);
+    for (unsigned lanes = entry.lanes(); lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+      triangles.push_back(seen_from(group, lane, shift));
+      triangles.back().slot = entry.number() * static_cast<std::uint32_t>(group_size) + lane;
+    }
+    if (triangles.size() > most) return false;
+  }
+  reach = (widest + 2 * static_cast<float>(radius)) * (1 + tile_error);
+  return true;
+}
+
+std::size_t prune(const TileList& list, TileNumbers numbers, const TileBox& box,
+                  std::uint16_t* kept) noexcept {
+  return HWY_DYNAMIC_DISPATCH(prune_here)(list, numbers, box, kept);
+}
+
+void scan_tile(const TileList& list, TileNumbers numbers, const TilePoints& points,
+               std::uint64_t* kept) noexcept {
+  HWY_DYNAMIC_DISPATCH(scan_tile_here)(list, numbers, points, kept);
+}
+
+}  // namespace cdfr
+#endif

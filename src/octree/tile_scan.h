@@ -1,0 +1,91 @@
+/// Many points of one leaf against the leaf's list: each triangle meets a vector of points at a time, in
+/// single precision, and whole boxes of points drop triangles that are closest to none of them.
+///
+/// Coordinates are in units of the lattice's edge, relative to the middle c of the points, and rounded to
+/// single precision once. Let r be the largest |p - c|, D the largest reach of the list's groups
+/// (scan_group.h), and d the distance from p to a triangle.
+///
+/// **Bound.** With u = 2^-24, rounding moves p by at most u r and a vertex, which is within d + D + r of c,
+/// by at most u (d + 2 D + r): once in its group, once here. What remains is triangle_group.h's arithmetic
+/// with this u, R <= d + D, and three changes: a product with the reciprocal of an edge's squared length
+/// instead of the quotient (1u R more); n x e made first, so that the sums of the triple product come in
+/// another order; and its doubt stated with the largest of the |r|_1, which is at most sqrt(3) (R + D), so
+/// that a face is given up for its border within 16u * 6 (R + D) instead of 16u * 3 R. In all below 256u
+/// (d + D + 2 r). So with tile_error = 512u, `reach` = D + 2 r, and scan_floor for what scan_group.h has it
+/// for and for |e| < 2^-63, whose squares lose digits,
+///     |estimate - d| <= tile_error (d + reach) / 2 + scan_floor / 2,
+/// and the same without halves holds with the estimate in place of d. The unused half covers the roundings
+/// of thresholds and what separates computed distances that tie (scan.h).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/scan_group.h"
+#include "octree/blocks.h"
+
+namespace cdfr {
+
+inline constexpr float tile_error = 512 * 0x1p-24F;
+
+/// A triangle with what does not depend on the point.
+struct TileTriangle {
+  struct Edge {
+    float along[3];    ///< e
+    float over;        ///< 1 / |e|^2
+    float inwards[3];  ///< n x e
+    float doubt;       ///< in a product with that, where |r|_1 = 1
+  };
+  float a[3], b[3];
+  Edge ab, bc, ca;
+  float normal[3];
+  float extent;  ///< largest |e|_1 of the edges at a
+  std::uint32_t slot;
+};
+
+/// A leaf's list as seen from the middle of the points.
+struct TileList {
+  static constexpr std::size_t most = 256;
+  std::vector<TileTriangle> triangles;
+  float reach;
+
+  /// False if the list holds BVH nodes or more triangles than that. `middle` and `radius` in edges from the
+  /// lattice's origin.
+  bool fill(const ScanGroup* groups, std::span<const Entry> list, const Vec3& middle, double radius);
+};
+
+/// Places in TileList::triangles.
+using TileNumbers = std::span<const std::uint16_t>;
+
+/// The points of a tile; `count` of them count, the rest are any numbers.
+struct TilePoints {
+  static constexpr std::size_t most = 64;
+  alignas(64) float at[3][most];
+  std::uint32_t count;
+};
+
+struct TileBox {
+  float lo[3], hi[3];
+};
+
+/// Writes to `kept` those of the numbers that may be closest to a point of the box, and returns how many.
+///
+/// A triangle is convex, so d(P,T')^2 is a convex function of P; d(P,T)^2 - |P|^2 is concave (influence.h).
+/// With the weights w that make P of the box's corners C (trilinear, so that they do the same for each axis)
+///     d(P,T)^2 - d(P,T')^2 >= sum of w (d(C,T)^2 - d(C,T')^2) - (sum of w |C|^2 - |P|^2),
+/// and the last bracket, the variance of the corners under w, is at most m = (e_1^2 + e_2^2 + e_3^2) / 4 for
+/// edges e. So T is closest nowhere if d(C,T)^2 - d(C,T')^2 > m at all corners. With estimates t and t' it
+/// is so if t > (sqrt((t' + k (t' + reach) + f)^2 + m) + k reach + f) (1 + 2 k) with k = tile_error and f =
+/// scan_floor. The points' true box rounds to this one, corner by corner; its edges are longer by 4u r at
+/// most. T' are the triangles closest to the corners and to the octants' centres.
+std::size_t prune(const TileList& list, TileNumbers numbers, const TileBox& box,
+                  std::uint16_t* kept) noexcept;
+
+/// Bit n of kept[p] is set if numbers[n] may be the closest one to point p. Precondition: at most 64 numbers.
+void scan_tile(const TileList& list, TileNumbers numbers, const TilePoints& points,
+               std::uint64_t* kept) noexcept;
+
+}  // namespace cdfr
