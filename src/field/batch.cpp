@@ -2,36 +2,22 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 
 #include "core/floating_environment.h"
+#include "field/contests.h"
 #include "field/query.h"
 #include "geometry/query_range.h"
 
 namespace cdfr {
 namespace {
 
+/// Points that are under way together.
+constexpr std::size_t bundle_size = 32;
 /// Entries of a list whose groups are called for before it is looked through.
 constexpr std::size_t called_groups = 8;
 
 class Bundle {
  public:
-  Bundle(const FieldData& field, Points x, std::size_t first, std::size_t count) noexcept
-      : field_(field), count_(count) {
-    assert(count <= bundle_size);
-    for (std::size_t i = 0; i < count_; ++i) points_[i].x = x[first + i];
-  }
-
-  template <class Answer>
-  void run(std::span<Answer> out) noexcept {
-    find_leaves();
-    find_lists();
-    call_for_groups();
-    scan_lists();
-    for (std::size_t i = 0; i < count_; ++i) answer(points_[i], out[i]);
-  }
-
- private:
   struct Point {
     Vec3 x;
     bool in_leaf = false;  ///< answered by a leaf's list; others go the ordinary way
@@ -43,9 +29,24 @@ class Bundle {
     Candidates candidates;
   };
 
+  explicit Bundle(const FieldData& field) noexcept : field_(field) {}
+
+  /// Precondition: count <= bundle_size.
+  std::span<const Point> scanned(Points x, std::size_t first, std::size_t count) noexcept {
+    count_ = count;
+    for (std::size_t i = 0; i < count_; ++i) points_[i].x = x[first + i];
+    find_leaves();
+    find_lists();
+    call_for_groups();
+    scan_lists();
+    return {points_.data(), count_};
+  }
+
+ private:
   void find_leaves() noexcept {
     for (std::size_t i = 0; i < count_; ++i) {
       Point& p = points_[i];
+      p.in_leaf = p.scanned = false;
       if (!is_finite(p.x)) continue;
       p.query = admitted(field_, p.x);
       p.in_leaf = !field_.index.empty() && field_.index.contains(p.query.p);
@@ -86,40 +87,85 @@ class Bundle {
     }
   }
 
-  Finding finding_of(const Point& p) const noexcept {
-    Finding finding = p.scanned ? closest_among(field_, p.query.p, p.candidates)
-                                : closest_in_list(field_, p.query.p, p.located);
-    finding.leaf = p.located.side;
-    return finding;
-  }
-
-  void answer(const Point& p, double& out) const noexcept {
-    out = p.in_leaf ? signed_distance(field_, p.query, finding_of(p)) : signed_distance(field_, p.x);
-  }
-  void answer(const Point& p, Closest& out) const noexcept {
-    out =
-        p.in_leaf ? closest_point(field_, p.query, finding_of(p)) : closest_point(field_, p.x, Finder::tree);
-  }
-
   const FieldData& field_;
-  std::size_t count_;
+  std::size_t count_ = 0;
   std::array<Point, bundle_size> points_;
 };
 
-template <class Answer>
-void answer_all(const FieldData& field, Points x, std::size_t first, std::span<Answer> out) noexcept {
+Finding finding_of(const FieldData& field, const Bundle::Point& p) noexcept {
+  Finding finding = p.scanned ? closest_among(field, p.query.p, p.candidates)
+                              : closest_in_list(field, p.query.p, p.located);
+  finding.leaf = p.located.side;
+  return finding;
+}
+
+/// Distances: candidates meet the kernel in lanes.
+class Distances {
+ public:
+  Distances(const FieldData& field, std::span<double> out) noexcept
+      : field_(field), out_(out), alone_(field, out), several_(field, out) {}
+
+  void take(std::size_t place, const Bundle::Point& p) noexcept {
+    const std::size_t count = p.candidates.count;
+    if (!p.in_leaf) {
+      out_[place] = signed_distance(field_, p.x);
+    } else if (!p.scanned || count > Contests::most || p.query.scale != 1) {
+      out_[place] = signed_distance(field_, p.query, finding_of(field_, p));
+    } else {
+      (count == 1 ? alone_ : several_)
+          .add(place, p.query.p, p.located.side, {p.candidates.slots.data(), count});
+    }
+  }
+  void finish() noexcept {
+    alone_.settle();
+    several_.settle();
+  }
+
+ private:
+  const FieldData& field_;
+  std::span<double> out_;
+  // Apart, since these lie on faces mostly, and those on edges and vertices.
+  Contests alone_, several_;
+};
+
+class ClosestPoints {
+ public:
+  ClosestPoints(const FieldData& field, std::span<Closest> out) noexcept : field_(field), out_(out) {}
+
+  void take(std::size_t place, const Bundle::Point& p) noexcept {
+    out_[place] = p.in_leaf ? closest_point(field_, p.query, finding_of(field_, p))
+                            : closest_point(field_, p.x, Finder::tree);
+  }
+  void finish() noexcept {}
+
+ private:
+  const FieldData& field_;
+  std::span<Closest> out_;
+};
+
+template <class Answers, class Answer>
+bool answer_all(const FieldData& field, Points x, std::size_t first, std::span<Answer> out,
+                Progress& progress) {
   const FloatingEnvironment environment;
-  Bundle(field, x, first, out.size()).run(out);
+  Bundle bundle(field);
+  Answers answers(field, out);
+  for (std::size_t i = 0; i < out.size(); i += bundle_size) {
+    if (!progress.poll()) return false;
+    const auto points = bundle.scanned(x, first + i, std::min(bundle_size, out.size() - i));
+    for (std::size_t k = 0; k < points.size(); ++k) answers.take(i + k, points[k]);
+  }
+  answers.finish();
+  return true;
 }
 
 }  // namespace
 
-void answer_bundle(const FieldData& field, Points x, std::size_t first, std::span<double> out) noexcept {
-  answer_all(field, x, first, out);
+bool answer(const FieldData& field, Points x, std::size_t first, std::span<double> out, Progress& progress) {
+  return answer_all<Distances>(field, x, first, out, progress);
 }
 
-void answer_bundle(const FieldData& field, Points x, std::size_t first, std::span<Closest> out) noexcept {
-  answer_all(field, x, first, out);
+bool answer(const FieldData& field, Points x, std::size_t first, std::span<Closest> out, Progress& progress) {
+  return answer_all<ClosestPoints>(field, x, first, out, progress);
 }
 
 }  // namespace cdfr

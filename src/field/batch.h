@@ -7,16 +7,14 @@
 
 #include "cdfr/core/points.h"
 #include "cdfr/field/field.h"
+#include "core/progress.h"
 #include "field/field_data.h"
 
 namespace cdfr {
 
-/// Points that are under way together.
-inline constexpr std::size_t bundle_size = 32;
-
 /// The answers of signed_distance and closest_point (query.h) to the points first .. first + out.size() - 1.
-/// At most bundle_size of them.
-void answer_bundle(const FieldData& field, Points x, std::size_t first, std::span<double> out) noexcept;
-void answer_bundle(const FieldData& field, Points x, std::size_t first, std::span<Closest> out) noexcept;
+/// False if cancelled.
+bool answer(const FieldData& field, Points x, std::size_t first, std::span<double> out, Progress& progress);
+bool answer(const FieldData& field, Points x, std::size_t first, std::span<Closest> out, Progress& progress);
 
 }  // namespace cdfr

@@ -29,11 +29,7 @@ Result<void> answer_all(const FieldData& field, Points x, std::span<Answer> out,
   with_threads(run, [&] {
     for_chunks(x.size(), batch_chunk, [&](std::size_t first, std::size_t end) {
       if (progress.cancelled()) return;
-      for (std::size_t i = first; i < end; i += bundle_size) {
-        if (!progress.poll()) return;
-        answer_bundle(field, x, i, out.subspan(i, std::min(bundle_size, end - i)));
-      }
-      progress.step();
+      if (answer(field, x, first, out.subspan(first, end - first), progress)) progress.step();
     });
   });
   if (progress.cancelled()) return Progress::error();

@@ -235,7 +235,7 @@ bool TileList::fill(const ScanGroup* groups, std::span<const Entry> list, const 
     const ScanGroup& group = groups[entry.number()];
     const double shift[3] = {group.origin[0] - middle.x, group.origin[1] - middle.y,
                              group.origin[2] - middle.z};
-    widest = std::max(widest, group.reach);
+    widest = std::max(widest, group.reach());
     for (unsigned lanes = entry.lanes(); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
       triangles.push_back(seen_from(group, lane, shift));
