@@ -142,6 +142,8 @@ class Scan {
     place(pair, 0, first);
     place(pair, 1, second != nullptr ? *second : first);
     const unsigned lanes = first.lanes() | (second != nullptr ? unsigned{second->lanes()} << group_size : 0U);
+    const float reach = std::max(pair.groups[0]->reach(), pair.groups[1]->reach());
+    admit(reach);
     HWY_ALIGN float squared[pair_size];
     unsigned close = 0;
     float least = std::numeric_limits<float>::infinity();
@@ -162,7 +164,7 @@ class Scan {
                        hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(within, estimate, hn::Set(d, least)))));
     }
     if (close == 0) return true;
-    lower(least, std::max(pair.groups[0]->reach(), pair.groups[1]->reach()));
+    lower(least, reach);
     for (; close != 0; close &= close - 1) {
       const auto lane = static_cast<unsigned>(std::countr_zero(close));
       if (squared[lane] > reject_) continue;
@@ -195,10 +197,21 @@ class Scan {
     pair.from[which][2] = static_cast<float>(point_.z - group.origin[2]) * units;
   }
 
+  /// Every group has its say in what it takes to be ruled out.
+  void admit(float reach) {
+    if (reach <= reach_) return;
+    reach_ = reach;
+    set_reject();
+  }
+
   void lower(float squared, float reach) {
-    reach_ = std::max(reach_, reach);
     const float upper = (std::sqrt(squared) + scan_share * reach + scan_floor) * (1 + 2 * scan_error);
-    if (upper < upper_) upper_ = upper;
+    if (upper >= upper_) return;
+    upper_ = upper;
+    set_reject();
+  }
+
+  void set_reject() {
     const float beyond = (upper_ + scan_share * reach_ + scan_floor) * (1 + 2 * scan_error);
     reject_ = beyond * beyond;
   }
@@ -206,7 +219,7 @@ class Scan {
   const ScanGroup* groups_;
   Vec3 point_;
   Candidates& found_;
-  float reach_ = 0;  ///< largest of the groups so far that were close
+  float reach_ = 0;  ///< largest of the groups so far
   float upper_ = std::numeric_limits<float>::infinity();
   float reject_ = std::numeric_limits<float>::infinity();
 };
