@@ -25,7 +25,7 @@ constexpr std::uint32_t tile_side = 4;
 /// Fewer samples than this in a leaf are asked one by one: preparing the list would cost more.
 constexpr std::size_t fewest = 12;
 /// For fewer samples than this, dropping triangles takes longer than asking the samples about them.
-constexpr std::size_t fewest_to_prune = 33;
+constexpr std::size_t fewest_to_prune = 49;
 /// Triangles that a tile tells apart by the bits of a word.
 constexpr std::size_t most_in_tile = 64;
 
