@@ -17,6 +17,9 @@ class CdfrSystem final : public System {
   void batch(std::span<const Vec3> points, std::span<double> out, unsigned threads) const override {
     field_.distance(points, out, {.threads = threads}).value();
   }
+  void fill(const SampleGrid& grid, std::span<double> out, unsigned threads) const override {
+    field_.distance(Grid{grid.origin, grid.spacing, grid.size}, out, {.threads = threads}).value();
+  }
 
  private:
   Field field_;

@@ -41,7 +41,7 @@ double Contests::distance_of(const Contest& contest) const noexcept {
   if (field_.sign == Sign::none || is_zero || contest.side == Side::outside) return distance;
   if (contest.side == Side::inside) return -distance;
   const Vec3 p = pairs_.p(lane);
-  if (contest.count > 1) return race(p, contest.side, {slots_.data() + contest.first, contest.count});
+  if (!is_alone(contest, lane)) return race(p, contest.side, {slots_.data() + contest.first, contest.count});
   Finding finding;
   finding.leaf = contest.side;
   finding.winner = {measured_.foot(pairs_, lane), slots_[lane],
@@ -49,11 +49,19 @@ double Contests::distance_of(const Contest& contest) const noexcept {
   return signed_distance(field_, {p, 1}, finding);
 }
 
+/// No other one is a rival as Race has it.
+bool Contests::is_alone(const Contest& contest, std::uint32_t best) const noexcept {
+  const double gap = Race::gap(size_of(field_, pairs_.p(best)));
+  for (std::uint32_t lane = contest.first; lane < contest.first + contest.count; ++lane) {
+    if (lane != best && Race::tied(squared(lane), squared(best), gap)) return false;
+  }
+  return true;
+}
+
 std::uint32_t Contests::closest_lane(const Contest& contest) const noexcept {
   std::uint32_t best = contest.first;
   for (std::uint32_t lane = best + 1; lane < contest.first + contest.count; ++lane) {
-    const DoubleDouble squared{measured_.squared[lane], measured_.squared_rest[lane]};
-    if (squared < DoubleDouble{measured_.squared[best], measured_.squared_rest[best]}) best = lane;
+    if (squared(lane) < squared(best)) best = lane;
   }
   return best;
 }

@@ -31,7 +31,11 @@ class Contests {
     Side side;
   };
 
+  DoubleDouble squared(std::uint32_t lane) const noexcept {
+    return {measured_.squared[lane], measured_.squared_rest[lane]};
+  }
   double distance_of(const Contest& contest) const noexcept;
+  bool is_alone(const Contest& contest, std::uint32_t best) const noexcept;
   std::uint32_t closest_lane(const Contest& contest) const noexcept;
   double race(const Vec3& p, Side side, std::span<const std::uint32_t> slots) const noexcept;
 

@@ -31,15 +31,4 @@ GridAxes::GridAxes(const Grid& grid, const LeafIndex& index) {
   }
 }
 
-Stretch GridAxes::sharing(int axis, std::uint32_t i, std::uint32_t up, const Stretch& within) const noexcept {
-  const auto& along = axes_[axis];
-  const auto shares = [&](std::uint32_t k) {
-    return along[k].in_brick && along[k].place >> up == along[i].place >> up;
-  };
-  Stretch stretch{i, i + 1};
-  while (stretch.first > within.first && shares(stretch.first - 1)) --stretch.first;
-  while (stretch.end < within.end && shares(stretch.end)) ++stretch.end;
-  return stretch;
-}
-
 }  // namespace cdfr

@@ -40,9 +40,18 @@ class GridAxes {
     return {{x.at, y.at, z.at}, {x.place, y.place, z.place}};
   }
   double at(int axis, std::uint32_t i) const noexcept { return axes_[axis][i].at; }
-  /// Samples within `within` that share their cell of 2^up places with sample i, which is among them.
-  /// Coordinates never turn back along an axis, so these are neighbours.
-  Stretch sharing(int axis, std::uint32_t i, std::uint32_t up, const Stretch& within) const noexcept;
+  /// Are samples i and k of an axis in the brick, in the same cell of 2^up places?
+  bool share_cell(int axis, std::uint32_t i, std::uint32_t k, std::uint32_t up) const noexcept {
+    const Coordinate &a = axes_[axis][i], &b = axes_[axis][k];
+    return a.in_brick && b.in_brick && a.place >> up == b.place >> up;
+  }
+  /// Where the samples from i on that share its cell end, at most `end`. Coordinates never turn back along an
+  /// axis, so a cell's samples are neighbours.
+  std::uint32_t end_of_cell(int axis, std::uint32_t i, std::uint32_t up, std::uint32_t end) const noexcept {
+    std::uint32_t k = i + 1;
+    while (k < end && share_cell(axis, i, k, up)) ++k;
+    return k;
+  }
 
  private:
   struct Coordinate {

@@ -19,11 +19,13 @@ namespace {
 using Sample = std::array<std::uint32_t, 3>;
 
 /// Samples of a chunk along each axis: what one task answers.
-constexpr std::uint32_t chunk_side = 16;
+constexpr std::uint32_t chunk_side = 32;
 /// Samples of a tile along each axis: TilePoints::most of them.
 constexpr std::uint32_t tile_side = 4;
 /// Fewer samples than this in a leaf are asked one by one: preparing the list would cost more.
 constexpr std::size_t fewest = 12;
+/// For fewer samples than this, dropping triangles takes longer than asking the samples about them.
+constexpr std::size_t fewest_to_prune = 49;
 /// Triangles that a tile tells apart by the bits of a word.
 constexpr std::size_t most_in_tile = 64;
 
@@ -31,7 +33,13 @@ constexpr std::size_t most_in_tile = 64;
 class GridChunk {
  public:
   GridChunk(const FieldData& field, const Grid& grid, const GridAxes& axes, std::span<double> out)
-      : field_(field), grid_(grid), axes_(axes), out_(out), alone_(field, out), several_(field, out) {
+      : field_(field),
+        grid_(grid),
+        axes_(axes),
+        out_(out),
+        alone_(field, out),
+        several_(field, out),
+        is_origin_(field.bounds() == Box{}) {
     list_.triangles.reserve(TileList::most + group_size);
   }
 
@@ -52,16 +60,17 @@ class GridChunk {
   /// Answers a sample, or all of its leaf's samples if it is the first of them. Returns where to go on in its
   /// row.
   std::uint32_t from(const Sample& sample, const Stretches& chunk) {
-    if (!axes_.contains(sample)) {
+    if (is_origin_ || !axes_.contains(sample)) {
       singly(sample);
       return sample[0] + 1;
     }
-    const std::uint32_t leaf = field_.index.leaf(axes_.place(sample));
+    const std::uint32_t leaf = field_.index.leaf(axes_.place(sample)), up = field_.index.up(leaf);
     Stretches shared;
     bool is_first = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      shared[axis] = axes_.sharing(axis, sample[axis], field_.index.up(leaf), chunk[axis]);
-      is_first = is_first && sample[axis] == shared[axis].first;
+    for (int axis = 0; axis < 3 && is_first; ++axis) {
+      const std::uint32_t i = sample[axis];
+      is_first = i == chunk[axis].first || !axes_.share_cell(axis, i - 1, i, up);
+      shared[axis] = {i, axes_.end_of_cell(axis, i, up, chunk[axis].end)};
     }
     if (is_first) in_leaf(shared, field_.index.at(axes_.place(sample), leaf));
     return shared[0].end;
@@ -75,8 +84,9 @@ class GridChunk {
       middle_[axis] = (lo + hi) / 2;
       squared += (hi - lo) * (hi - lo) / 4;
     }
-    if (count_of(samples) < fewest || !list_.fill(field_.scan_groups.data(), leaf.entries,
-                                                  {middle_[0], middle_[1], middle_[2]}, std::sqrt(squared))) {
+    if (count_of(samples) < fewest ||
+        !list_.fill(field_.triangles, field_.scan_groups.data(), field_.tree.lattice, leaf.entries,
+                    {middle_[0], middle_[1], middle_[2]}, std::sqrt(squared))) {
       return all_singly(samples);
     }
     std::array<std::uint16_t, TileList::most> numbers;
@@ -103,12 +113,12 @@ class GridChunk {
   void prune_in(const Stretches& samples, TileNumbers numbers) {
     std::array<std::uint16_t, TileList::most> kept;
     std::size_t count = numbers.size();
-    if (count > 2) {
+    const bool is_tile =
+        std::all_of(samples.begin(), samples.end(), [](const Stretch& s) { return s.size() <= tile_side; });
+    if (count > most_in_tile || (count > 2 && count_of(samples) >= fewest_to_prune)) {
       count = prune(list_, numbers, box(samples), kept.data());
       numbers = {kept.data(), count};
     }
-    const bool is_tile =
-        std::all_of(samples.begin(), samples.end(), [](const Stretch& s) { return s.size() <= tile_side; });
     if (!is_tile) return divide(samples, numbers);
     if (count > most_in_tile) return all_singly(samples);
     tile(samples, numbers);
@@ -143,10 +153,10 @@ class GridChunk {
 
   void contest(const Sample& sample, TileNumbers numbers, std::uint64_t kept) {
     std::array<std::uint32_t, Contests::most> slots;
-    const auto count = static_cast<std::size_t>(std::popcount(kept));
-    if (count > slots.size()) return singly(sample);
-    for (std::size_t i = 0; i < count; ++i, kept &= kept - 1) {
-      slots[i] = list_.triangles[numbers[static_cast<std::size_t>(std::countr_zero(kept))]].slot;
+    std::size_t count = 0;
+    for (; kept != 0; kept &= kept - 1) {
+      if (count == slots.size()) return singly(sample);
+      slots[count++] = list_.triangles[numbers[static_cast<std::size_t>(std::countr_zero(kept))]].slot;
     }
     (count == 1 ? alone_ : several_).add(place(sample), axes_.point(sample), side_, {slots.data(), count});
   }
@@ -177,6 +187,7 @@ class GridChunk {
   Contests alone_, several_;
   std::array<double, 3> middle_{};  ///< of the leaf's samples, in edges
   Side side_ = Side::undecided;
+  const bool is_origin_;  ///< the mesh: queries may have to be scaled
 };
 
 /// Chunks of a grid, numbered with x fastest.

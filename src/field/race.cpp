@@ -42,22 +42,25 @@ bool Race::shares_foot(TrianglePlace place, const TriangleRecord& record) const 
 
 /// The kernel is within 2^-93 R of the truth, and R is at most 4 times the size; an edge may stand for a face
 /// 2^-94 R beside it. So a distance that is larger by 2^-88 of the size is larger in truth.
+bool Race::tied(DoubleDouble a, DoubleDouble b, double gap) noexcept {
+  const double apart = (a - b).hi;
+  const double farther = std::sqrt(std::max(a.hi, b.hi));
+  return std::fabs(apart) <= 2 * gap * farther * (1 + 4 * unit_roundoff) + gap * gap;
+}
+
 void Race::challenge_proper(const Winner& challenger) noexcept {
   Winner& best = proper_.winner;
   if (best.slot == no_index) {
     best = challenger;
     return;
   }
-  const double gap = 0x1p-88 * size_;
-  const double apart = (challenger.foot.squared - best.foot.squared).hi;
-  const double farther = std::sqrt(std::max(challenger.foot.squared.hi, best.foot.squared.hi));
-  const bool tied = std::fabs(apart) <= 2 * gap * farther * (1 + 4 * unit_roundoff) + gap * gap;
+  const bool is_tied = tied(challenger.foot.squared, best.foot.squared, gap(size_));
   const bool wins = beats(challenger, best);
-  if (!tied && wins) {
+  if (!is_tied && wins) {
     proper_.rival_count = 0;
     proper_.crowded = false;
   }
-  if (tied && !same_feature(challenger.foot.place, triangles_.records[challenger.slot])) {
+  if (is_tied && !same_feature(challenger.foot.place, triangles_.records[challenger.slot])) {
     add_rival(wins ? best.slot : challenger.slot);
   }
   if (wins) best = challenger;

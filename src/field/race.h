@@ -41,6 +41,10 @@ class Race {
   void challenge(std::uint32_t slot) noexcept;
   Finding finding() const noexcept;
 
+  /// Distances that differ by less than this may be in the other order in truth.
+  static double gap(double size) noexcept { return 0x1p-88 * size; }
+  static bool tied(DoubleDouble a, DoubleDouble b, double gap) noexcept;
+
  private:
   void challenge_proper(const Winner& challenger) noexcept;
   void add_rival(std::uint32_t slot) noexcept;

@@ -37,6 +37,9 @@ HWY_INLINE Vector dot(const Vector3& a, const float (&b)[3]) {
   return hn::MulAdd(a.z, set(b[2]), hn::MulAdd(a.y, set(b[1]), hn::Mul(a.x, set(b[0]))));
 }
 
+/// Features that a point's triangles are told to share; more than these may come twice.
+constexpr std::size_t most_seen = 8;
+
 /// Squared distance from an edge; r is the point minus one of its ends, with `along` leading to the other.
 HWY_INLINE Vector from_edge(const Vector3& r, const TileTriangle::Edge& edge) {
   const Vector ratio = hn::Mul(dot(r, edge.along), set(edge.over));
@@ -152,27 +155,109 @@ std::size_t prune_here(const TileList& list, TileNumbers numbers, const TileBox&
   return count;
 }
 
+/// For the points of a vector, what a triangle's edges say that may be closest.
+struct Places {
+  Vector lowest, highest;
+  hn::Mask<Tag> outside;  ///< the projection is certainly not on the face
+};
+
+/// Lets an edge join in. Its own place is `between`, its ends' are at_from and at_to.
+HWY_INLINE void join(const Vector3& r, const TileTriangle::Edge& edge, float between, float at_from,
+                     float at_to, Vector doubt, Vector most, Places& places) {
+  const Vector s = dot(r, edge.along), rest = hn::Sub(set(edge.length), s);
+  Vector place = set(unsure_place);
+  place = hn::IfThenElse(hn::And(hn::Gt(s, doubt), hn::Gt(rest, doubt)), set(between), place);
+  place = hn::IfThenElse(hn::Lt(s, hn::Neg(doubt)), set(at_from), place);
+  place = hn::IfThenElse(hn::Lt(rest, hn::Neg(doubt)), set(at_to), place);
+  const auto may_be_closest = hn::Le(from_edge(r, edge), most);
+  places.lowest = hn::IfThenElse(may_be_closest, hn::Min(places.lowest, place), places.lowest);
+  places.highest = hn::IfThenElse(may_be_closest, hn::Max(places.highest, place), places.highest);
+  places.outside = hn::Or(places.outside, hn::Lt(dot(r, edge.inwards), hn::Neg(doubt)));
+}
+
+/// Where on the triangle's border the kernel certainly finds the foot, or unsure_place. The triangle's own
+/// least estimate is at most `reject`.
+HWY_INLINE Vector border_place(const Vector3& p, const TileTriangle& t, Vector reject, float reach) {
+  const Tag d;
+  const Vector3 from_a = minus(p, t.a), from_b = minus(p, t.b);
+  const Vector size = hn::Add(hn::Sqrt(reject), set(reach));
+  const Vector doubt = hn::Mul(set(place_doubt), hn::Mul(size, size));
+  const Vector most = beyond(reject, reach, 0);
+  Places places{set(unsure_place), hn::Zero(d), hn::FirstN(d, 0)};
+  join(from_a, t.ab, 1, 4, 5, doubt, most, places);
+  join(from_b, t.bc, 2, 5, 6, doubt, most, places);
+  join(from_a, t.ca, 3, 4, 6, doubt, most, places);
+  const auto sure = hn::And(places.outside, hn::Eq(places.lowest, places.highest));
+  return hn::IfThenElse(sure, places.lowest, set(unsure_place));
+}
+
+/// Of triangles whose feet certainly are the same edge's or vertex's, one stays.
+HWY_INLINE std::uint64_t distinct(const TileList& list, TileNumbers numbers,
+                                  const float (*places)[lane_count], std::size_t lane, std::uint64_t within) {
+  std::uint64_t kept = 0;
+  std::uint64_t seen[most_seen];
+  std::size_t seen_count = 0;
+  for (; within != 0; within &= within - 1) {
+    const auto n = static_cast<std::size_t>(std::countr_zero(within));
+    const auto place = static_cast<std::size_t>(places[n][lane]);
+    if (place != unsure_place) {
+      const std::uint64_t feature = list.triangles[numbers[n]].features[place - 1];
+      if (std::find(seen, seen + seen_count, feature) != seen + seen_count) continue;
+      if (seen_count < most_seen) seen[seen_count++] = feature;
+    }
+    kept |= std::uint64_t{1} << n;
+  }
+  return kept;
+}
+
+/// Thins out the kept numbers of the given lanes. `scratch` has room for a vector a number.
+HWY_INLINE void share_features(const TileList& list, TileNumbers numbers, const Vector3& p, Vector reject,
+                               unsigned lanes, float (*scratch)[lane_count], std::uint64_t* kept) {
+  std::uint64_t any = 0;
+  for (unsigned left = lanes; left != 0; left &= left - 1) any |= kept[std::countr_zero(left)];
+  for (; any != 0; any &= any - 1) {
+    const auto n = static_cast<std::size_t>(std::countr_zero(any));
+    hn::Store(border_place(p, list.triangles[numbers[n]], reject, list.reach), Tag(), scratch[n]);
+  }
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+    kept[lane] = distinct(list, numbers, scratch, lane, kept[lane]);
+  }
+}
+
+/// The points of one vector.
+HWY_INLINE void scan_vector(const TileList& list, TileNumbers numbers, const Vector3& p,
+                            std::uint64_t* kept) {
+  const Tag d;
+  HWY_ALIGN float squared[64][lane_count];
+  Vector least = set(std::numeric_limits<float>::infinity());
+  for (std::size_t n = 0; n < numbers.size(); ++n) {
+    const Vector estimate = estimated(p, list.triangles[numbers[n]]);
+    hn::Store(estimate, d, squared[n]);
+    least = hn::Min(least, estimate);
+  }
+  const Vector reject = beyond(least, list.reach, 0);
+  unsigned some = 0, several = 0;
+  std::fill_n(kept, lane_count, 0);
+  for (std::size_t n = 0; n < numbers.size(); ++n) {
+    unsigned within = bits_of(hn::Le(hn::Load(d, squared[n]), reject));
+    several |= some & within;
+    some |= within;
+    for (; within != 0; within &= within - 1) kept[std::countr_zero(within)] |= std::uint64_t{1} << n;
+  }
+  // Where the distance is about zero, the kernel asks for more than the place.
+  const float slack = 2 * (tile_error * list.reach + scan_floor);
+  several &= bits_of(hn::Gt(least, set(slack * slack)));
+  if (several != 0) share_features(list, numbers, p, reject, several, squared, kept);
+}
+
 void scan_tile_here(const TileList& list, TileNumbers numbers, const TilePoints& points,
                     std::uint64_t* kept) {
   const Tag d;
-  HWY_ALIGN float squared[64][lane_count];
   for (std::size_t first = 0; first < points.count; first += lane_count) {
     const Vector3 p{hn::Load(d, points.at[0] + first), hn::Load(d, points.at[1] + first),
                     hn::Load(d, points.at[2] + first)};
-    Vector least = set(std::numeric_limits<float>::infinity());
-    for (std::size_t n = 0; n < numbers.size(); ++n) {
-      const Vector estimate = estimated(p, list.triangles[numbers[n]]);
-      hn::Store(estimate, d, squared[n]);
-      least = hn::Min(least, estimate);
-    }
-    const Vector reject = beyond(least, list.reach, 0);
-    for (std::size_t lane = 0; lane < lane_count; ++lane) kept[first + lane] = 0;
-    for (std::size_t n = 0; n < numbers.size(); ++n) {
-      for (unsigned within = bits_of(hn::Le(hn::Load(d, squared[n]), reject)); within != 0;
-           within &= within - 1) {
-        kept[first + static_cast<std::size_t>(std::countr_zero(within))] |= std::uint64_t{1} << n;
-      }
-    }
+    scan_vector(list, numbers, p, kept + first);
   }
 }
 
@@ -185,67 +270,6 @@ namespace cdfr {
 
 HWY_EXPORT(prune_here);
 HWY_EXPORT(scan_tile_here);
-
-namespace {
-
-void set_edge(TileTriangle::Edge& edge, const float (&from)[3], const float (&to)[3],
-              const float (&normal)[3]) {
-  float length = 0, size = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    edge.along[axis] = to[axis] - from[axis];
-    length += edge.along[axis] * edge.along[axis];
-    size += std::fabs(edge.along[axis]);
-  }
-  edge.over = 1 / std::max(length, std::numeric_limits<float>::min());
-  const auto& e = edge.along;
-  edge.inwards[0] = normal[1] * e[2] - normal[2] * e[1];
-  edge.inwards[1] = normal[2] * e[0] - normal[0] * e[2];
-  edge.inwards[2] = normal[0] * e[1] - normal[1] * e[0];
-  edge.doubt = 16 * 0x1p-24F * size;
-}
-
-float size_of(const TileTriangle::Edge& edge) {
-  return std::fabs(edge.along[0]) + std::fabs(edge.along[1]) + std::fabs(edge.along[2]);
-}
-
-TileTriangle seen_from(const ScanGroup& group, std::uint32_t lane, const double (&shift)[3]) {
-  TileTriangle t;
-  float c[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    t.a[axis] = static_cast<float>(shift[axis] + group.vertices[0][axis][lane]);
-    t.b[axis] = static_cast<float>(shift[axis] + group.vertices[1][axis][lane]);
-    c[axis] = static_cast<float>(shift[axis] + group.vertices[2][axis][lane]);
-    t.normal[axis] = group.normals[axis][lane];
-  }
-  set_edge(t.ab, t.a, t.b, t.normal);
-  set_edge(t.bc, t.b, c, t.normal);
-  set_edge(t.ca, t.a, c, t.normal);
-  for (float& x : t.ca.inwards) x = -x;
-  t.extent = std::max(size_of(t.ab), size_of(t.ca));
-  return t;
-}
-
-}  // namespace
-
-bool TileList::fill(const ScanGroup* groups, std::span<const Entry> list, const Vec3& middle, double radius) {
-  triangles.clear();
-  float widest = 0;
-  for (const Entry& entry : list) {
-    if (!entry.is_group()) return false;
-    const ScanGroup& group = groups[entry.number()];
-    const double shift[3] = {group.origin[0] - middle.x, group.origin[1] - middle.y,
-                             group.origin[2] - middle.z};
-    widest = std::max(widest, group.reach());
-    for (unsigned lanes = entry.lanes(); lanes != 0; lanes &= lanes - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-      triangles.push_back(seen_from(group, lane, shift));
-      triangles.back().slot = entry.number() * static_cast<std::uint32_t>(group_size) + lane;
-    }
-    if (triangles.size() > most) return false;
-  }
-  reach = (widest + 2 * static_cast<float>(radius)) * (1 + tile_error);
-  return true;
-}
 
 std::size_t prune(const TileList& list, TileNumbers numbers, const TileBox& box,
                   std::uint16_t* kept) noexcept {

@@ -6,7 +6,7 @@
 /// (scan_group.h), and d the distance from p to a triangle.
 ///
 /// **Bound.** With u = 2^-24, rounding moves p by at most u r and a vertex, which is within d + D + r of c,
-/// by at most u (d + 2 D + r): once in its group, once here. What remains is triangle_group.h's arithmetic
+/// by at most u (d + D + r). What remains is triangle_group.h's arithmetic
 /// with this u, R <= d + D, and three changes: a product with the reciprocal of an edge's squared length
 /// instead of the quotient (1u R more); n x e made first, so that the sums of the triple product come in
 /// another order; and its doubt stated with the largest of the |r|_1, which is at most sqrt(3) (R + D), so
@@ -24,26 +24,34 @@
 #include <span>
 #include <vector>
 
+#include "geometry/place_estimate.h"
 #include "geometry/scan_group.h"
+#include "mesh/triangles.h"
 #include "octree/blocks.h"
 
 namespace cdfr {
 
 inline constexpr float tile_error = 512 * 0x1p-24F;
 
+/// With S >= d + reach, products r.e and r.(n x e) are off by less than 16u S^2: r is off by 4u S, e, at most
+/// S long itself, by 6u S, and their product's own arithmetic adds 6u S^2 at most. What is larger says for
+/// certain on which side of an edge, and before, on or behind it, the kernel finds a point.
+inline constexpr float place_doubt = 32 * 0x1p-24F;
+
 /// A triangle with what does not depend on the point.
 struct TileTriangle {
   struct Edge {
-    float along[3];    ///< e
-    float over;        ///< 1 / |e|^2
-    float inwards[3];  ///< n x e
-    float doubt;       ///< in a product with that, where |r|_1 = 1
+    float along[3];      ///< e
+    float length, over;  ///< |e|^2 and its reciprocal
+    float inwards[3];    ///< n x e
+    float doubt;         ///< in a product with that, where |r|_1 = 1
   };
   float a[3], b[3];
   Edge ab, bc, ca;
   float normal[3];
   float extent;  ///< largest |e|_1 of the edges at a
   std::uint32_t slot;
+  std::array<std::uint64_t, 6> features;  ///< names of its edges and vertices, by place - 1
 };
 
 /// A leaf's list as seen from the middle of the points.
@@ -54,7 +62,8 @@ struct TileList {
 
   /// False if the list holds BVH nodes or more triangles than that. `middle` and `radius` in edges from the
   /// lattice's origin.
-  bool fill(const ScanGroup* groups, std::span<const Entry> list, const Vec3& middle, double radius);
+  bool fill(const TriangleStore& store, const ScanGroup* groups, const Lattice& lattice,
+            std::span<const Entry> list, const Vec3& middle, double radius);
 };
 
 /// Places in TileList::triangles.
@@ -84,7 +93,11 @@ struct TileBox {
 std::size_t prune(const TileList& list, TileNumbers numbers, const TileBox& box,
                   std::uint16_t* kept) noexcept;
 
-/// Bit n of kept[p] is set if numbers[n] may be the closest one to point p. Precondition: at most 64 numbers.
+/// Bit n of kept[p] is set if numbers[n] may be the closest one to point p. Of several triangles on which the
+/// kernel certainly finds the same edge's or vertex's foot, hence the same bits (race.cpp), one is kept:
+/// where all edges that may be closest by estimates agree in the place, each by more than place_doubt, the
+/// projection is outside by more than that, and the distance is not about zero. Precondition: at most 64
+/// numbers.
 void scan_tile(const TileList& list, TileNumbers numbers, const TilePoints& points,
                std::uint64_t* kept) noexcept;
 

@@ -16,6 +16,7 @@ TEST_F(OutputTest, MissingDirectoryIsRefusedBeforeTheInputIsRead) {
       {"contour", input, "--depth", "1", "-o", path("no/c.ply")},
       {"contour", input, "--depth", "1", "-o", path("c.ply"), "--picture", path("no/c.png")},
       {"query", input, "--points", path("p.csv"), "-o", path("no/a.csv")},
+      {"grid", input, "--resolution", "8", "-o", path("no/a.vti")},
       {"make-part", "cube", "-o", path("no/cube.stl")},
   };
   for (const auto& arguments : calls) {

@@ -42,6 +42,9 @@ TEST_F(UsageTest, WrongUsageIsStatusTwoAndOneLine) {
       {"query", cube},
       {"query", cube, "--points", path("p.csv"), "-o", path("a.xlsx")},
       {"query", cube, "--points", path("p.csv"), "--json"},
+      {"grid", cube, "--resolution", "8"},
+      {"grid", cube, "--resolution", "1", "-o", path("a.npy")},
+      {"grid", cube, "--resolution", "8", "-o", path("a.csv")},
       {"make-part", "cube"},
       {"make-part", "sprocket", "-o", path("s.stl")},
       {"make-part", "cube", "-o", path("cube.step")},
@@ -71,7 +74,7 @@ TEST_F(UsageTest, HelpAndVersion) {
   const Outcome help = run({"--help"});
   EXPECT_EQ(help.status, 0);
   EXPECT_EQ(help.errors, "");
-  for (const std::string verb : {"audit", "build", "info", "query", "contour", "make-part"}) {
+  for (const std::string verb : {"audit", "build", "info", "query", "grid", "contour", "make-part"}) {
     EXPECT_NE(help.output.find("cdfr " + verb + " "), std::string::npos) << "no example of " << verb;
     const Outcome own = run({verb, "--help"});
     EXPECT_EQ(own.status, 0);

@@ -1,9 +1,9 @@
 #include "answer_table.h"
 
 #include <array>
-#include <bit>
 #include <cstddef>
 
+#include "binary.h"
 #include "number_text.h"
 
 namespace cdfr::command {
@@ -17,15 +17,6 @@ std::size_t number_of(Feature feature) noexcept { return static_cast<std::size_t
 std::array<double, 7> measures_of(const Closest& answer) noexcept {
   const Vec3 &point = answer.point, &gradient = answer.gradient;
   return {answer.distance, point.x, point.y, point.z, gradient.x, gradient.y, gradient.z};
-}
-
-/// Little endian on every machine.
-template <class Integer>
-void append_bytes(std::string& bytes, Integer value) {
-  for (std::size_t i = 0; i < sizeof value; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xFFU);
-}
-void append_bytes(std::string& bytes, double value) {
-  append_bytes(bytes, std::bit_cast<std::uint64_t>(value));
 }
 
 class CsvTable final : public AnswerTable {
@@ -49,15 +40,7 @@ class CsvTable final : public AnswerTable {
 class NpyTable final : public AnswerTable {
  public:
   void begin(ByteSink& sink, std::uint64_t rows) override {
-    constexpr std::size_t before = 10, alignment = 64;
-    std::string header =
-        "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(rows) + ", 9), }";
-    header.append(alignment - 1 - (before + header.size()) % alignment, ' ');
-    header += '\n';
-    std::string bytes = "\x93NUMPY";
-    bytes += std::string("\x01\x00", 2);
-    append_bytes(bytes, static_cast<std::uint16_t>(header.size()));
-    sink.write(bytes + header);
+    sink.write(npy_header("(" + std::to_string(rows) + ", 9)"));
   }
   void append(ByteSink& sink, std::span<const Vec3>, std::span<const Closest> answers) override {
     std::string bytes;

@@ -9,6 +9,7 @@ void add_audit(CLI::App& program);
 void add_build(CLI::App& program);
 void add_info(CLI::App& program);
 void add_query(CLI::App& program);
+void add_grid(CLI::App& program);
 void add_contour(CLI::App& program);
 void add_make_part(CLI::App& program);
 
