@@ -145,6 +145,8 @@ class Scan {
     HWY_ALIGN float squared[pair_size];
     unsigned close = 0;
     float least = std::numeric_limits<float>::infinity();
+    const float reach = std::max(pair.groups[0]->reach(), pair.groups[1]->reach());
+    const float reject = reach > reach_ ? squared_beyond(reach) : reject_;
     const Tag d;
     for (std::size_t lane = 0; lane < pair_size; lane += lane_count) {
       const Vector estimate = estimated(pair, lane);
@@ -152,7 +154,7 @@ class Scan {
       const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> lane),
                                     static_cast<std::uint8_t>(lanes >> lane >> 8)};
       const auto used = hn::LoadMaskBits(d, bits);
-      const auto within = hn::And(used, hn::Le(estimate, hn::Set(d, reject_)));
+      const auto within = hn::And(used, hn::Le(estimate, hn::Set(d, reject)));
       std::uint8_t kept[8] = {};
       hn::StoreMaskBits(d, within, kept);
       const unsigned mask = (kept[0] | unsigned{kept[1]} << 8) & ((1U << lane_count) - 1);
@@ -162,7 +164,7 @@ class Scan {
                        hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(within, estimate, hn::Set(d, least)))));
     }
     if (close == 0) return true;
-    lower(least, std::max(pair.groups[0]->reach(), pair.groups[1]->reach()));
+    lower(least, reach);
     for (; close != 0; close &= close - 1) {
       const auto lane = static_cast<unsigned>(std::countr_zero(close));
       if (squared[lane] > reject_) continue;
@@ -199,8 +201,13 @@ class Scan {
     reach_ = std::max(reach_, reach);
     const float upper = (std::sqrt(squared) + scan_share * reach + scan_floor) * (1 + 2 * scan_error);
     if (upper < upper_) upper_ = upper;
-    const float beyond = (upper_ + scan_share * reach_ + scan_floor) * (1 + 2 * scan_error);
-    reject_ = beyond * beyond;
+    reject_ = squared_beyond(reach_);
+  }
+
+  /// An estimate in a group of that reach or less that is larger has lost.
+  float squared_beyond(float reach) const {
+    const float beyond = (upper_ + scan_share * reach + scan_floor) * (1 + 2 * scan_error);
+    return beyond * beyond;
   }
 
   const ScanGroup* groups_;
