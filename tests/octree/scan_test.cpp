@@ -34,16 +34,21 @@ Scene random_scene(test::Random& random, std::size_t count, double largest) {
   return scene;
 }
 
-/// Anywhere, on a vertex, or off a face or an edge by a random power of two.
-Vec3 query_at(test::Random& random, const Scene& scene) {
-  const TriangleShape& t = scene.groups[random.below(scene.groups.size())].shapes[random.below(group_size)];
-  const auto& [a, b, c] = t.vertices;
+/// Anywhere, on a vertex, or off a face, an edge or the line of an edge by a random power of two.
+Vec3 query_at(test::Random& random, const TriangleShape& triangle) {
+  const auto& [a, b, c] = triangle.vertices;
   const Vec3 p = anywhere(random);
   if (random.below(4) == 0) return p;
   if (random.below(4) == 0) return a;
+  const double off = std::ldexp(1.0, -static_cast<int>(random.below(60)));
+  if (random.below(3) == 0) return test::along(test::along(a, b, random.between(-1, 2)), p, off);
   const Vec3 on = test::along(test::along(a, b, random.between(0, 1)), c,
                               random.below(2) == 0 ? 0 : random.between(0, 1));
-  return test::along(on, p, std::ldexp(1.0, -static_cast<int>(random.below(60))));
+  return test::along(on, p, off);
+}
+
+Vec3 query_at(test::Random& random, const Scene& scene) {
+  return query_at(random, scene.groups[random.below(scene.groups.size())].shapes[random.below(group_size)]);
 }
 
 template <class F>
@@ -96,11 +101,11 @@ void check(const Scene& scene, const Vec3& p, const Candidates& candidates) {
 TEST(Scan, EstimatesStayWithinTheirBound) {
   on_every_instruction_set([] {
     test::Random random(1);
-    for (int i = 0; i < 6000; ++i) {
+    for (int i = 0; i < 30000; ++i) {
       Scene scene = random_scene(random, 1, 4 * edge);
       const auto lane = static_cast<std::uint32_t>(random.below(group_size));
       scene.list[0] = Entry::of_group(0, 0, static_cast<std::uint8_t>(1U << lane));
-      const Vec3 p = query_at(random, scene);
+      const Vec3 p = query_at(random, scene.groups[0].shapes[lane]);
       Candidates found;
       ASSERT_TRUE(scene.scan(p, found));
       ASSERT_EQ(found.count, 1U);
