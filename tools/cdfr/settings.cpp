@@ -67,7 +67,7 @@ void add_build_options(CLI::App& verb, Settings& settings) {
   BuildOptions& build = settings.build;
   settings.build_options = {
       add_count(verb, "--max-triangles", build.max_triangles_per_leaf, 1, std::numeric_limits<int>::max(),
-                "A cell with a longer list splits, if splitting pays (64)"),
+                "A cell with a longer list splits, if splitting pays (160)"),
       add_count(verb, "--max-level", build.max_level, 0, deepest_level, "Deepest level of a leaf (5)"),
       add_number(verb, "--margin", build.margin, {0, 1},
                  "The domain is the part's box grown by this share of its longest side (0.05)"),

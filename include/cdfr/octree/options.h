@@ -18,7 +18,7 @@ struct BuildOptions {
   /// slower.
   double margin = 0.05;
   /// A cell with a longer list splits, if splitting pays. At least 1.
-  int max_triangles_per_leaf = 128;
+  int max_triangles_per_leaf = 160;
   /// Deepest level of a leaf, 0 to 18; level 0 cells are the cubes of the brick.
   int max_level = 5;
   /// A split is kept if the children's mean list is at most this share of the parent's, and there are about
