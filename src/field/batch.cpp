@@ -13,8 +13,6 @@ namespace {
 
 /// Points that are under way together.
 constexpr std::size_t bundle_size = 32;
-/// Entries of a list whose groups are called for before it is looked through.
-constexpr std::size_t called_groups = 8;
 
 class Bundle {
  public:
@@ -49,7 +47,7 @@ class Bundle {
       p.in_leaf = p.scanned = false;
       if (!is_finite(p.x)) continue;
       p.query = admitted(field_, p.x);
-      p.in_leaf = !field_.index.empty() && field_.index.contains(p.query.p);
+      p.in_leaf = field_.index.contains(p.query.p);
       if (!p.in_leaf) continue;
       p.place = field_.index.place(p.query.p);
       p.leaf = field_.index.leaf(p.place);
@@ -68,11 +66,7 @@ class Bundle {
 
   void call_for_groups() const noexcept {
     for (std::size_t i = 0; i < count_; ++i) {
-      if (!points_[i].in_leaf) continue;
-      const std::span<const Entry> list = points_[i].located.entries;
-      for (std::size_t k = 0; k < std::min(called_groups, list.size()); ++k) {
-        if (list[k].is_group()) prefetch(field_.scan_groups[list[k].number()]);
-      }
+      if (points_[i].in_leaf) prefetch(field_.scan_groups.data(), points_[i].located.entries, 0, scan_ahead);
     }
   }
 
@@ -93,10 +87,7 @@ class Bundle {
 };
 
 Finding finding_of(const FieldData& field, const Bundle::Point& p) noexcept {
-  Finding finding = p.scanned ? closest_among(field, p.query.p, p.candidates)
-                              : closest_in_list(field, p.query.p, p.located);
-  finding.leaf = p.located.side;
-  return finding;
+  return closest_in_leaf(field, p.query.p, p.located, p.scanned ? &p.candidates : nullptr);
 }
 
 /// Distances: candidates meet the kernel in lanes.

@@ -103,8 +103,11 @@ void index_leaves(FieldData& field) {
 void derive_scan_groups(FieldData& field) {
   const Lattice& lattice = field.tree.lattice;
   field.scan_groups.resize(field.triangles.groups.size());
-  tbb::parallel_for(std::size_t{0}, field.scan_groups.size(), [&](std::size_t i) {
-    field.scan_groups[i] = scan_group(field.triangles.groups[i], lattice.origin, lattice.edge);
+  constexpr std::size_t chunk = 1024;
+  for_chunks(field.scan_groups.size(), chunk, [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      field.scan_groups[i] = scan_group(field.triangles.groups[i], lattice.origin, lattice.edge);
+    }
   });
 }
 
@@ -145,7 +148,7 @@ Result<FieldData> build_field(MeshView mesh, const BuildOptions& options, const 
     derive_scan_groups(*field);
     index_leaves(*field);
     set_sides(*field, progress);
-    index_leaves(*field);
+    field->index.take_sides(field->tree);
   });
   if (progress.cancelled()) return Progress::error();
   return field;

@@ -13,7 +13,8 @@ Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options, Prog
 
 Result<FieldData> build_field(MeshView mesh, const BuildOptions& options, const Run& run);
 
-/// What follows from the rest and is not stored: far_side and winding; first_leaf.
+/// What follows from the rest and is not stored: far_side and winding; first_leaf and
+/// index; scan_groups.
 void derive_sides(FieldData& field);
 void index_leaves(FieldData& field);
 void derive_scan_groups(FieldData& field);

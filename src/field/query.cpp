@@ -135,28 +135,30 @@ double size_of(const FieldData& field, const Vec3& p) noexcept {
       {largest_magnitude(p), largest_magnitude(field.bounds().lo), largest_magnitude(field.bounds().hi)});
 }
 
-Finding closest_among(const FieldData& field, const Vec3& p, const Candidates& candidates) noexcept {
-  Race race(p, field.triangles, size_of(field, p));
-  for (std::uint32_t i = 0; i < candidates.count; ++i) race.challenge(candidates.slots[i]);
-  return race.finding();
-}
-
-Finding closest_in_list(const FieldData& field, const Vec3& p, const Located& leaf) noexcept {
-  const Lattice& lattice = field.tree.lattice;
-  Search search(field.space(), p, lattice.reach(), Contenders(p, field));
-  search.list(leaf.entries, lattice.edge, leaf.from_centre * lattice.edge);
-  return search.accept().settle(search.reject());
+Finding closest_in_leaf(const FieldData& field, const Vec3& p, const Located& leaf,
+                        const Candidates* candidates) noexcept {
+  Finding finding;
+  if (candidates != nullptr) {
+    Race race(p, field.triangles, size_of(field, p));
+    for (std::uint32_t i = 0; i < candidates->count; ++i) race.challenge(candidates->slots[i]);
+    finding = race.finding();
+  } else {
+    const Lattice& lattice = field.tree.lattice;
+    Search search(field.space(), p, lattice.reach(), Contenders(p, field));
+    search.list(leaf.entries, lattice.edge, leaf.from_centre * lattice.edge);
+    finding = search.accept().settle(search.reject());
+  }
+  finding.leaf = leaf.side;
+  return finding;
 }
 
 Finding find_closest(const FieldData& field, const Vec3& p) noexcept {
-  if (!field.index.empty() && field.index.contains(p)) {
+  if (field.index.contains(p)) {
     const LatticePoint point = field.index.place(p);
     const Located leaf = field.index.at(point, field.index.leaf(point));
     Candidates candidates;
     const bool scanned = scan(field.scan_groups.data(), leaf.entries, point.at, leaf.from_centre, candidates);
-    Finding finding = scanned ? closest_among(field, p, candidates) : closest_in_list(field, p, leaf);
-    finding.leaf = leaf.side;
-    return finding;
+    return closest_in_leaf(field, p, leaf, scanned ? &candidates : nullptr);
   }
   Search search(field.space(), p, reach_of(field.bounds(), p), Contenders(p, field));
   search.descend(0);

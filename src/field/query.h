@@ -20,11 +20,10 @@ struct Query {
 /// Precondition: x is finite.
 Query admitted(const FieldData& field, const Vec3& x) noexcept;
 
-/// Among what a scan has left.
-Finding closest_among(const FieldData& field, const Vec3& p, const Candidates& candidates) noexcept;
-
-/// In the list of the leaf that p is in, where a scan has not served.
-Finding closest_in_list(const FieldData& field, const Vec3& p, const Located& leaf) noexcept;
+/// In the leaf that p is in: among what a scan has left of its list, or in all of it if there is no such
+/// thing (null).
+Finding closest_in_leaf(const FieldData& field, const Vec3& p, const Located& leaf,
+                        const Candidates* candidates) noexcept;
 
 /// By the leaf's list in the domain, by the BVH beyond. Precondition: p is finite, within largest_query,
 /// without dust.

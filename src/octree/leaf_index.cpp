@@ -101,9 +101,17 @@ class LeafIndex::Maker {
   const Octree& tree_;
 };
 
-LeafIndex::LeafIndex(const Octree& tree)
-    : origin_(tree.lattice.origin), domain_(tree.lattice.domain()), scale_(1 / tree.lattice.edge) {
-  if (!tree.blocks.empty()) Maker(*this, tree).run();
+LeafIndex::LeafIndex(const Octree& tree) : origin_(tree.lattice.origin), scale_(1 / tree.lattice.edge) {
+  if (tree.blocks.empty()) return;
+  domain_ = tree.lattice.domain();
+  Maker(*this, tree).run();
+}
+
+void LeafIndex::take_sides(const Octree& tree) noexcept {
+  std::size_t i = 0;
+  for (const Block& block : tree.blocks) {
+    for (const LeafRecord& leaf : block.leaves) leaves_[i++].count_and_side = leaf.count_and_side;
+  }
 }
 
 /// x - origin rounds to nearest and so may reach the next lattice point from below by at most half an ulp:

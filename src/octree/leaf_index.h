@@ -31,8 +31,11 @@ class LeafIndex {
   /// The octree's blocks must outlive the index and keep their arrays in place.
   explicit LeafIndex(const Octree& tree);
 
+  /// Takes over the sides of the leaves, set since. The octree is the one that the index was made of.
+  void take_sides(const Octree& tree) noexcept;
+
   bool empty() const noexcept { return leaves_.empty(); }
-  /// The half-open brick, where locate answers.
+  /// The half-open brick, where the steps below answer; nothing if the octree has no blocks.
   bool contains(const Vec3& p) const noexcept {
     return p.x >= domain_.lo.x && p.x < domain_.hi.x && p.y >= domain_.lo.y && p.y < domain_.hi.y &&
            p.z >= domain_.lo.z && p.z < domain_.hi.z;

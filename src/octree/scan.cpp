@@ -224,23 +224,13 @@ class Scan {
   float reject_ = std::numeric_limits<float>::infinity();
 };
 
-/// Groups ahead of the scan whose lines are called for.
-constexpr std::size_t ahead = 8;
-
-HWY_INLINE void call_for(const ScanGroup* groups, std::span<const Entry> list, std::size_t first,
-                         std::size_t count) {
-  for (std::size_t i = first; i < std::min(first + count, list.size()) && list[i].is_group(); ++i) {
-    prefetch(groups[list[i].number()]);
-  }
-}
-
 bool scan_here(const ScanGroup* groups, std::span<const Entry> list, const Vec3& point, double from_centre,
                Candidates& candidates) {
   Scan scan(groups, point, candidates);
   const auto within = [&](const Entry& entry) { return entry.distance() - from_centre <= scan.upper(); };
-  call_for(groups, list, 0, ahead);
+  prefetch(groups, list, 0, scan_ahead);
   for (std::size_t i = 0; i < list.size() && within(list[i]);) {
-    call_for(groups, list, i + ahead, 2);
+    prefetch(groups, list, i + scan_ahead, 2);
     if (!list[i].is_group()) return false;
     const bool two = i + 1 < list.size() && list[i + 1].is_group() && within(list[i + 1]);
     if (!scan.take(list[i], two ? &list[i + 1] : nullptr)) return false;

@@ -1,6 +1,7 @@
 /// Looks through a leaf's list in single precision for the triangles that may be closest.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +11,17 @@
 #include "octree/leaf_index.h"
 
 namespace cdfr {
+
+/// Groups ahead of a scan whose lines are called for.
+inline constexpr std::size_t scan_ahead = 8;
+
+/// Calls for the groups of entries first .. first + count - 1, as far as the list goes.
+inline void prefetch(const ScanGroup* groups, std::span<const Entry> list, std::size_t first,
+                     std::size_t count) noexcept {
+  for (std::size_t i = first; i < std::min(first + count, list.size()) && list[i].is_group(); ++i) {
+    prefetch(groups[list[i].number()]);
+  }
+}
 
 /// Triangles that a scan has not ruled out, by slot.
 struct Candidates {
