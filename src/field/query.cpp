@@ -156,8 +156,10 @@ Finding find_closest(const FieldData& field, const Vec3& p) noexcept {
   if (field.index.contains(p)) {
     const LatticePoint point = field.index.place(p);
     const Located leaf = field.index.at(point, field.index.leaf(point));
+    Shortlist shortlist;
+    shorten(field.scan_groups.data(), leaf, shortlist);
     Candidates candidates;
-    const bool scanned = scan(field.scan_groups.data(), leaf.entries, point.at, leaf.from_centre, candidates);
+    const bool scanned = scan(field.scan_groups.data(), point.at, leaf, shortlist, candidates);
     return closest_in_leaf(field, p, leaf, scanned ? &candidates : nullptr);
   }
   Search search(field.space(), p, reach_of(field.bounds(), p), Contenders(p, field));

@@ -65,11 +65,9 @@ std::vector<Entry> BlockBuilder::listed(const std::vector<Candidate>& candidates
   std::vector<Entry> list;
   list.reserve(candidates.size());
   for (const Candidate& c : candidates) {
-    // One part in 2^50 less covers the root and the division by a power of two's neighbours.
-    const double distance = std::sqrt(std::max(c.squared, 0.0)) * (1 - 0x1p-50) / lattice_.edge;
     const BvhNode& node = space_.bvh.nodes[c.node];
-    list.push_back(node.is_group() ? Entry::of_group(node.first_group, distance, c.lanes)
-                                   : Entry::of_node(c.node, distance));
+    list.push_back(node.is_group() ? Entry::of_group(node.first_group, c.distance, c.lanes, c.bound)
+                                   : Entry::of_node(c.node, c.distance, c.bound));
   }
   std::sort(list.begin(), list.end());
   return list;
