@@ -14,10 +14,7 @@ namespace {
 constexpr std::size_t chunk_size = 512;
 
 ContactTriangle triangle_at(const TriangleStore& triangles, std::uint32_t slot) noexcept {
-  const TriangleGroup& group = triangles.groups[slot / group_size];
-  const std::size_t lane = slot % group_size;
-  return {{group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)},
-          triangles.records[slot].vertices};
+  return {triangles.shape(slot).vertices, triangles.records[slot].vertices};
 }
 
 Box box_of(const std::array<Vec3, 3>& t) noexcept {
@@ -62,7 +59,7 @@ class Search {
 
  private:
   bool meets_one_of(std::uint32_t number, const Box& box) const noexcept {
-    unsigned lanes = overlapping_lanes(space_.triangles.groups[number], box);
+    unsigned lanes = overlapping_lanes(space_.triangles.group(number), box);
     lanes &= (1U << space_.triangles.lanes(number)) - 1;
     for (std::uint32_t other = number * group_size; lanes != 0; lanes >>= 1, ++other) {
       if ((lanes & 1) == 0 || other == slot_) continue;

@@ -43,9 +43,9 @@ bool BlockBuilder::may_cross(const OpenCell& cell) const {
   const auto enter = [&](std::uint32_t index) { return overlap(space_.bvh.nodes[index].box, box); };
   const auto misses = [&](std::uint32_t index) {
     const std::uint32_t number = space_.bvh.nodes[index].first_group;
-    const TriangleGroup& group = space_.triangles.groups[number];
-    for (std::size_t lane = 0; lane < space_.triangles.lanes(number); ++lane) {
-      if (may_touch({group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)}, box)) return false;
+    const std::uint32_t first = number * std::uint32_t{group_size};
+    for (std::uint32_t slot = first; slot < first + space_.triangles.lanes(number); ++slot) {
+      if (may_touch(space_.triangles.shape(slot).vertices, box)) return false;
     }
     return true;
   };

@@ -68,7 +68,7 @@ class Refinement {
     scratch_.nearest.clear();
     for (std::size_t i = 0; i < scratch_.groups.size(); ++i) {
       const std::uint32_t number = space_.bvh.nodes[scratch_.groups[i].node].first_group;
-      squared_distances_below(samples_, space_.triangles.groups[number], scratch_.distances[i]);
+      squared_distances_below(samples_, space_.triangles.group(number), scratch_.distances[i]);
       scratch_.nearest.add(scratch_.distances[i], number);
     }
   }
@@ -91,7 +91,7 @@ class Refinement {
       slot = search.accept().slot;
     }
     if (slot == no_index) return parent_.dominators[best];
-    return estimate_closest(p, space_.triangles.groups[slot / group_size], slot % group_size);
+    return estimate_closest(p, space_.triangles.group(slot / group_size), slot % group_size);
   }
 
   void find_dominators() {
@@ -135,7 +135,7 @@ class Refinement {
     if (children == 0) return;
     if (node.is_group()) {
       SampleDistances distances;
-      squared_distances_below(samples_, space_.triangles.groups[node.first_group], distances);
+      squared_distances_below(samples_, space_.triangles.group(node.first_group), distances);
       sift_group(candidate, distances, children);
     } else if (diagonal_above(node.box) > size_ / 4) {
       sift({space_.bvh.left(candidate.node), 0, {}, 0xff}, children);
@@ -238,7 +238,7 @@ OpenCell root_cell(SearchSpace space) {
   OpenCell root;
   root.list.push_back({0, 0, {}, 0xff});
   root.triangles = space.triangles.size();
-  root.dominators.fill(space.triangles.groups[0].vertex(0, 0));
+  root.dominators.fill(space.triangles.shape(0).vertices[0]);
   return root;
 }
 
