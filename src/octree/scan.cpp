@@ -145,6 +145,7 @@ class Scan {
     place(pair, 1, second != nullptr ? *second : first);
     const unsigned lanes = first.lanes() | (second != nullptr ? unsigned{second->lanes()} << group_size : 0U);
     reach_ = std::max({reach_, pair.groups[0]->reach(), pair.groups[1]->reach()});
+    set_reject();
     const Tag d;
     const hn::RebindToUnsigned<Tag> u;
     const std::uint32_t slots[2] = {first.number() * std::uint32_t{group_size},
@@ -169,10 +170,8 @@ class Scan {
   /// Brings the bounds up to date, and drops what they rule out.
   void settle() {
     const float least = hn::GetLane(hn::MinOfLanes(Tag(), least_));
-    const float slack = scan_share * reach_ + scan_floor;
-    upper_ = (std::sqrt(least) + slack) * (1 + 2 * scan_error);
-    const float beyond = (upper_ + slack) * (1 + 2 * scan_error);
-    reject_ = beyond * beyond;
+    upper_ = (std::sqrt(least) + scan_share * reach_ + scan_floor) * (1 + 2 * scan_error);
+    set_reject();
     const std::uint32_t count = std::exchange(found_.count, 0);
     const Tag d;
     const hn::RebindToUnsigned<Tag> u;
@@ -184,6 +183,13 @@ class Scan {
   }
 
  private:
+  /// Every group has its say in what it takes to be ruled out. No bound is as large as the largest number,
+  /// and no estimate of a lane that is not used as small.
+  void set_reject() {
+    const float beyond = (upper_ + scan_share * reach_ + scan_floor) * (1 + 2 * scan_error);
+    reject_ = std::min(beyond * beyond, std::numeric_limits<float>::max());
+  }
+
   void place(Pair& pair, int which, const Entry& entry) const {
     const ScanGroup& group = groups_[entry.number()];
     pair.groups[which] = &group;
@@ -304,10 +310,11 @@ bool scan_part(Scan& scan, std::span<const Entry> part, const ScanGroup* groups,
   };
   const auto [first, second] = std::pair(shortlist.first, shortlist.second);
   if (!(shortlist.squared[first] <= limit())) return true;
-  if (!take(first, shortlist.squared[second] <= limit() ? second : first)) return false;
+  const bool two = part[second].is_group() && shortlist.squared[second] <= limit();
+  if (!take(first, two ? second : first)) return false;
   scan.settle();
   std::uint64_t left = within(shortlist, part.size(), limit());
-  left &= ~(std::uint64_t{1} << first | std::uint64_t{1} << second);
+  left &= ~(std::uint64_t{1} << first | std::uint64_t{two} << second);
   for (std::uint64_t ahead = left; ahead != 0; ahead &= ahead - 1) {
     const Entry& entry = part[static_cast<std::size_t>(std::countr_zero(ahead))];
     if (entry.is_group()) prefetch(groups[entry.number()]);
