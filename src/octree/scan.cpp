@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <utility>
+
+#include "geometry/box_distance.h"
 
 // Highway compiles this file once for each instruction set and picks one when the program runs. SVE is left
 // out: its vectors have no size at compile time; arm64 takes NEON.
@@ -343,6 +346,53 @@ bool scan_here(const ScanGroup* groups, const Vec3& point, const Located& leaf, 
   return true;
 }
 
+bool scan_all_here(const ScanGroup* groups, const Bvh& bvh, const Lattice& lattice, const Vec3& p,
+                   Candidates& candidates) {
+  struct Pending {
+    std::uint32_t node;
+    double squared;
+  };
+  const auto pending = [&](std::uint32_t node) {
+    return Pending{node, squared_distance_below(p, bvh.nodes[node].box)};
+  };
+  const double scale = 1 / lattice.edge;  // exact: a power of two
+  const Vec3& o = lattice.origin;
+  Scan scan(groups, {(p.x - o.x) * scale, (p.y - o.y) * scale, (p.z - o.z) * scale}, candidates);
+  double limit = std::numeric_limits<double>::infinity();
+  const auto take = [&](const Entry& first, const Entry* second) {
+    if (!scan.take(first, second)) return false;
+    scan.settle();
+    const double upper = double{scan.upper()} * lattice.edge;
+    limit = upper * upper;
+    return true;
+  };
+  std::optional<Entry> held;
+  std::array<Pending, bvh_depth_limit> stack;
+  std::size_t size = 0;
+  for (Pending next = pending(0);;) {
+    if (next.squared <= limit) {
+      const BvhNode& node = bvh.nodes[next.node];
+      if (!node.is_group()) {
+        Pending near = pending(bvh.left(next.node)), far = pending(bvh.right(next.node));
+        if (far.squared < near.squared) std::swap(near, far);
+        stack[size++] = far;
+        next = near;
+        continue;
+      }
+      const Entry entry = Entry::of_group(node.first_group, 0, 0xff);
+      if (!held) {
+        held = entry;
+        prefetch(groups[entry.number()]);
+      } else if (!take(*std::exchange(held, std::nullopt), &entry)) {
+        return false;
+      }
+    }
+    if (size == 0) break;
+    next = stack[--size];
+  }
+  return !held || take(*held, nullptr);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace cdfr
 HWY_AFTER_NAMESPACE();
@@ -352,6 +402,14 @@ namespace cdfr {
 
 HWY_EXPORT(shorten_here);
 HWY_EXPORT(scan_here);
+HWY_EXPORT(scan_all_here);
+
+namespace {
+
+/// In edges from the brick's middle. At that distance single precision hides 2^-9 edges.
+constexpr double farthest = 128;
+
+}  // namespace
 
 void shorten(const ScanGroup* groups, const Located& leaf, Shortlist& shortlist) noexcept {
   HWY_DYNAMIC_DISPATCH(shorten_here)(groups, leaf, shortlist);
@@ -360,6 +418,15 @@ void shorten(const ScanGroup* groups, const Located& leaf, Shortlist& shortlist)
 bool scan(const ScanGroup* groups, const Vec3& point, const Located& leaf, Shortlist& shortlist,
           Candidates& candidates) noexcept {
   return HWY_DYNAMIC_DISPATCH(scan_here)(groups, point, leaf, shortlist, candidates);
+}
+
+bool scan(const ScanGroup* groups, const Bvh& bvh, const Lattice& lattice, const Vec3& p,
+          Candidates& candidates) noexcept {
+  const Box domain = lattice.domain();
+  const Vec3 middle{(domain.lo.x + domain.hi.x) / 2, (domain.lo.y + domain.hi.y) / 2,
+                    (domain.lo.z + domain.hi.z) / 2};
+  if (!(distance_between(p, middle) <= farthest * lattice.edge)) return false;
+  return HWY_DYNAMIC_DISPATCH(scan_all_here)(groups, bvh, lattice, p, candidates);
 }
 
 }  // namespace cdfr

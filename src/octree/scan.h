@@ -7,6 +7,7 @@
 #include <span>
 
 #include "geometry/scan_group.h"
+#include "mesh/bvh.h"
 #include "octree/leaf_index.h"
 
 namespace cdfr {
@@ -49,6 +50,12 @@ struct Candidates {
 /// (2^-88 of the largest coordinate, below 2^-54 edges). Which others come along differs with the instruction
 /// set; they lose in double-double, so answers do not.
 bool scan(const ScanGroup* groups, const Vec3& point, const Located& leaf, Shortlist& shortlist,
+          Candidates& candidates) noexcept;
+
+/// The same for all of the mesh, by its BVH, nearer children first, for a point that may lie outside the brick:
+/// p rounds by 2^-53 of its distance more, which is within the bound's share of that. False too where it is so
+/// far away that little of the mesh could be told apart.
+bool scan(const ScanGroup* groups, const Bvh& bvh, const Lattice& lattice, const Vec3& p,
           Candidates& candidates) noexcept;
 
 }  // namespace cdfr
