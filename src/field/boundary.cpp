@@ -1,5 +1,6 @@
 #include "field/boundary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -97,6 +98,47 @@ double winding_drift(const Boundary& boundary, SearchSpace space, const Vec3& ce
   };
   walk(space.bvh, 0, enter, add);
   return is_hopeless() ? infinity : sum * radius / four_pi * up;
+}
+
+/// Edges leave by their pull, the strongest first. Nodes are taken whole at twice the distance of
+/// winding_drift's, for theirs is what the budget has to bear.
+NearBoundary near_boundary(const Boundary& boundary, SearchSpace space, const Vec3& centre, double radius,
+                           double budget) {
+  struct Pull {
+    double pull;
+    std::uint32_t edge;
+  };
+  std::vector<Pull> pulls;
+  double sum = 0;
+  const auto enter = [&](std::uint32_t index) {
+    const double length = boundary.lengths[index];
+    if (length == 0) return false;
+    const Box& box = space.bvh.nodes[index].box;
+    const double gap = std::sqrt(squared_distance_below(centre, box)) * (1 - 0x1p-40) - radius;
+    const bool is_far = gap > 2 * diagonal_above(box);
+    if (is_far) sum += length / gap / gap;
+    return !is_far;
+  };
+  const auto add = [&](std::uint32_t index) {
+    const std::uint32_t group = space.bvh.nodes[index].first_group;
+    for (std::uint32_t e = boundary.first[group]; e < boundary.first[group + 1]; ++e) {
+      const BoundaryEdge& edge = boundary.edges[e];
+      pulls.push_back({edge.times * pull(edge.from, edge.to, centre, radius, most_halvings), e});
+    }
+    return true;
+  };
+  walk(space.bvh, 0, enter, add);
+  std::sort(pulls.begin(), pulls.end(), [](const Pull& a, const Pull& b) {
+    return a.pull != b.pull ? a.pull < b.pull : a.edge < b.edge;
+  });
+  const double most = budget * four_pi / radius;
+  std::size_t kept = 0;
+  while (kept < pulls.size() && sum + pulls[kept].pull <= most) sum += pulls[kept++].pull;
+  NearBoundary result;
+  for (std::size_t i = kept; i < pulls.size(); ++i) result.edges.push_back(pulls[i].edge);
+  std::sort(result.edges.begin(), result.edges.end());
+  result.drift = sum * radius / four_pi * up;
+  return result;
 }
 
 }  // namespace cdfr

@@ -35,4 +35,15 @@ Boundary find_boundary(SearchSpace space, std::size_t edge_count);
 /// Bound on |w(x) - w(centre)| for such x; infinite if the boundary comes that near or nearly so.
 double winding_drift(const Boundary& boundary, SearchSpace space, const Vec3& centre, double radius) noexcept;
 
+/// The boundary in two: what a winding number that is known at a centre has to be corrected by edge by edge
+/// (swept_angle), and how much the rest changes it.
+struct NearBoundary {
+  std::vector<std::uint32_t> edges;
+  double drift = 0;
+};
+
+/// So few near edges that the rest drifts by no more than `budget`, if that can be had.
+NearBoundary near_boundary(const Boundary& boundary, SearchSpace space, const Vec3& centre, double radius,
+                           double budget);
+
 }  // namespace cdfr

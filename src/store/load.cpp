@@ -156,6 +156,7 @@ Result<StoredField> load(const std::filesystem::path& path) {
   derive_sides(field);
   derive_scan_groups(field);
   index_leaves(field);
+  field.leaf_windings = leaf_windings(field);
   return StoredField{Field(std::make_shared<const FieldData>(std::move(field))),
                      std::string(unit.begin(), unit.end())};
 }
