@@ -1,10 +1,12 @@
 #include "field/boundary.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 
+#include "core/vector.h"
 #include "geometry/box_distance.h"
 #include "geometry/solid_angle.h"
 
@@ -17,6 +19,8 @@ constexpr double up = 1 + 0x1p-40;
 /// No winding number that is worth deciding drifts more.
 constexpr double hopeless = 1024;
 constexpr int most_halvings = 8;
+/// Nodes that many times their diagonal, and the ball's radius, away are taken whole.
+constexpr double far_nodes = 8;
 
 /// By edge id: how often triangles run along it from the low vertex to the high one, less the other way.
 std::vector<std::int32_t> balances(const TriangleStore& store, std::size_t edge_count) {
@@ -100,45 +104,85 @@ double winding_drift(const Boundary& boundary, SearchSpace space, const Vec3& ce
   return is_hopeless() ? infinity : sum * radius / four_pi * up;
 }
 
-/// Edges leave by their pull, the strongest first. Nodes are taken whole at twice the distance of
-/// winding_drift's, for theirs is what the budget has to bear.
-NearBoundary near_boundary(const Boundary& boundary, SearchSpace space, const Vec3& centre, double radius,
-                           double budget) {
-  struct Pull {
+namespace {
+
+/// Gathers the parts of the boundary around a ball by their pull on it: 4 pi / R of the drift.
+class PartsAround {
+ public:
+  struct Edge {
     double pull;
-    std::uint32_t edge;
+    std::uint32_t number;
   };
-  std::vector<Pull> pulls;
-  double sum = 0;
-  const auto enter = [&](std::uint32_t index) {
-    const double length = boundary.lengths[index];
-    if (length == 0) return false;
-    const Box& box = space.bvh.nodes[index].box;
-    const double gap = std::sqrt(squared_distance_below(centre, box)) * (1 - 0x1p-40) - radius;
-    const bool is_far = gap > 2 * diagonal_above(box);
-    if (is_far) sum += length / gap / gap;
-    return !is_far;
-  };
-  const auto add = [&](std::uint32_t index) {
-    const std::uint32_t group = space.bvh.nodes[index].first_group;
-    for (std::uint32_t e = boundary.first[group]; e < boundary.first[group + 1]; ++e) {
-      const BoundaryEdge& edge = boundary.edges[e];
-      pulls.push_back({edge.times * pull(edge.from, edge.to, centre, radius, most_halvings), e});
+
+  PartsAround(const Boundary& boundary, SearchSpace space, const Vec3& centre, double radius)
+      : boundary_(boundary), space_(space), centre_(centre), radius_(radius) {
+    walk(
+        space.bvh, 0, [&](std::uint32_t node) { return !is_far(node); },
+        [&](std::uint32_t node) { return add(space.bvh.nodes[node].first_group); });
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+      return a.pull != b.pull ? a.pull < b.pull : a.number < b.number;
+    });
+  }
+
+  double of_nodes = 0;
+  std::vector<Edge> edges;  ///< the others, by pull
+
+ private:
+  bool is_far(std::uint32_t node) noexcept {
+    const double length = boundary_.lengths[node];
+    if (length == 0) return true;
+    const Box& box = space_.bvh.nodes[node].box;
+    const double gap = std::sqrt(squared_distance_below(centre_, box)) * (1 - 0x1p-40) - radius_;
+    if (!(gap > far_nodes * diagonal_above(box) && gap > far_nodes * radius_)) return false;
+    of_nodes += length / gap / gap;
+    return true;
+  }
+
+  bool add(std::uint32_t group) {
+    for (std::uint32_t e = boundary_.first[group]; e < boundary_.first[group + 1]; ++e) {
+      const BoundaryEdge& edge = boundary_.edges[e];
+      const Vec3 &a = edge.from, &b = edge.to;
+      const Vec3 middle{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2, a.z + (b.z - a.z) / 2};
+      const double length = distance_between(a, b) * up;
+      const double gap = distance_between(centre_, middle) * (1 - 0x1p-40) - length / 2 - radius_;
+      edges.push_back({gap > 0 ? edge.times * radius_ * length / gap / gap / gap : infinity, e});
     }
     return true;
-  };
-  walk(space.bvh, 0, enter, add);
-  std::sort(pulls.begin(), pulls.end(), [](const Pull& a, const Pull& b) {
-    return a.pull != b.pull ? a.pull < b.pull : a.edge < b.edge;
-  });
+  }
+
+  const Boundary& boundary_;
+  SearchSpace space_;
+  Vec3 centre_;
+  double radius_;
+};
+
+/// Gradient of the solid angle at c that hangs on the edge: the integral of r x dl / |r|^3.
+Eigen::Vector3d gradient_at(const Vec3& c, const BoundaryEdge& edge) noexcept {
+  const Eigen::Vector3d a = to_eigen(edge.from) - to_eigen(c), b = to_eigen(edge.to) - to_eigen(c);
+  const double la = a.norm(), lb = b.norm();
+  return edge.times * ((la + lb) / (la * lb)) / (la * lb + a.dot(b)) * a.cross(b);
+}
+
+}  // namespace
+
+std::optional<BoundaryPart> boundary_around(const Boundary& boundary, SearchSpace space, const Vec3& centre,
+                                            double radius, double budget, std::size_t most_near) {
+  const PartsAround parts(boundary, space, centre, radius);
+  double sum = parts.of_nodes;
   const double most = budget * four_pi / radius;
   std::size_t kept = 0;
-  while (kept < pulls.size() && sum + pulls[kept].pull <= most) sum += pulls[kept++].pull;
-  NearBoundary result;
-  for (std::size_t i = kept; i < pulls.size(); ++i) result.edges.push_back(pulls[i].edge);
-  std::sort(result.edges.begin(), result.edges.end());
-  result.drift = sum * radius / four_pi * up;
-  return result;
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  for (; kept < parts.edges.size() && sum + parts.edges[kept].pull <= most; ++kept) {
+    sum += parts.edges[kept].pull;
+    gradient += gradient_at(centre, boundary.edges[parts.edges[kept].number]);
+  }
+  BoundaryPart part;
+  part.drift = sum * radius / four_pi * up;
+  if (parts.edges.size() - kept > most_near || !(sum <= most)) return std::nullopt;
+  for (; kept < parts.edges.size(); ++kept) part.near.push_back(parts.edges[kept].number);
+  std::sort(part.near.begin(), part.near.end());
+  part.gradient = from_eigen(gradient / four_pi);
+  return part;
 }
 
 }  // namespace cdfr

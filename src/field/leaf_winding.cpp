@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "core/parallel.h"
 #include "field/boundary.h"
@@ -11,6 +13,7 @@
 #include "field/leaves.h"
 #include "field/winding.h"
 #include "geometry/box_distance.h"
+#include "geometry/offset.h"
 #include "geometry/segment_crossings.h"
 #include "geometry/solid_angle.h"
 #include "mesh/crossings.h"
@@ -29,9 +32,11 @@ constexpr double reach = 0.96;
 
 /// More near edges take as long as the winding number itself.
 constexpr std::size_t most_edges = 64;
+/// What may be left open of the change by the boundary: most places are farther from w = 1/2.
+constexpr double most_drift = 0x1p-2;
 /// Of w(r), where that is not whole.
-constexpr double good_error = 0x1p-8;
-/// Covers the rounding of w(r) and of the doubt to single precision and of sums; and as that is more than
+constexpr double good_error = 0x1p-7;
+/// Covers the rounding of w(r), gradient and drift to single precision and of sums. As that is more than
 /// winds() may be mistaken by, who asks that gets the same answer.
 constexpr double rounding = 0x1p-16;
 
@@ -53,9 +58,8 @@ class BlockWindings {
   BlockWindings(const FieldData& field, std::size_t block) : field_(field), block_(field.tree.blocks[block]) {
     const std::size_t count = block_.leaves.size();
     all_.at_reference.assign(count, unknown);
-    if (!field_.winding.empty()) all_.doubts.assign(count, 0);
     for_each_leaf(block_, [&](const Cell& cell, std::uint32_t leaf) {
-      if (!field_.winding.empty()) all_.first.push_back(static_cast<std::uint32_t>(all_.near.size()));
+      if (!field_.winding.empty()) all_.changes.push_back({{}, 0, static_cast<std::uint32_t>(all_.near.size())});
       const Side side = block_.leaves[leaf].side();
       if (side == Side::surface || side == Side::undecided) find(reference_of(field_.tree.lattice, cell), leaf);
     });
@@ -72,18 +76,18 @@ class BlockWindings {
     }
   }
 
-  /// Half of what is left from w(r), but for whole turns, to 1/2 is for the far boundary.
   void find_between(const Reference& r, std::uint32_t leaf) {
+    const std::optional<BoundaryPart> part = boundary_around(field_.winding.boundary, field_.space(), r.at,
+                                                             r.radius, most_drift, most_edges);
+    if (!part) return;
     const Bounded w = winding_within(field_.winding, field_.space(), r.at, good_error);
     if (!(w.error <= good_error)) return;
-    const double margin = std::fabs(w.value - 0.5 - std::round(w.value - 0.5));
-    const double budget = std::clamp(margin / 2, 0x1p-4, 0x1p-2);
-    const NearBoundary near =
-        near_boundary(field_.winding.boundary, field_.space(), r.at, r.radius, budget);
-    if (near.edges.size() > most_edges || near.drift > budget) return;
     all_.at_reference[leaf] = static_cast<float>(w.value);
-    all_.doubts[leaf] = static_cast<float>(near.drift + w.error + rounding);
-    all_.near.insert(all_.near.end(), near.edges.begin(), near.edges.end());
+    LeafWindings::Change& change = all_.changes.back();
+    const Vec3& g = part->gradient;
+    change = {{static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)},
+              static_cast<float>(part->drift), change.first};
+    all_.near.insert(all_.near.end(), part->near.begin(), part->near.end());
   }
 
   const FieldData& field_;
@@ -94,8 +98,10 @@ class BlockWindings {
 void append(LeafWindings& all, const LeafWindings& part) {
   const auto before = static_cast<std::uint32_t>(all.near.size());
   all.at_reference.insert(all.at_reference.end(), part.at_reference.begin(), part.at_reference.end());
-  all.doubts.insert(all.doubts.end(), part.doubts.begin(), part.doubts.end());
-  for (const std::uint32_t first : part.first) all.first.push_back(before + first);
+  for (LeafWindings::Change change : part.changes) {
+    change.first += before;
+    all.changes.push_back(change);
+  }
   all.near.insert(all.near.end(), part.near.begin(), part.near.end());
 }
 
@@ -121,24 +127,27 @@ bool count_crossings(const FieldData& field, std::span<const Entry> list, double
   return true;
 }
 
-/// What the leaf's near edges change on the way from r to p.
-Bounded swept_by_boundary(const FieldData& field, std::uint32_t leaf, const Vec3& p, const Vec3& r) noexcept {
-  const LeafWindings& all = field.leaf_windings;
-  Bounded sum;
-  for (std::uint32_t i = all.first[leaf]; i < all.first[leaf + 1]; ++i) {
-    const BoundaryEdge& edge = field.winding.boundary.edges[all.near[i]];
-    const Bounded angle = swept_angle(p, r, edge.from, edge.to);
-    sum.value += edge.times * angle.value;
-    sum.error += edge.times * angle.error;
+/// What the boundary changes on the way from r to p.
+Bounded changed(const FieldData& field, std::uint32_t leaf, const Vec3& p, const Reference& r) noexcept {
+  const LeafWindings::Change* change = &field.leaf_windings.changes[leaf];
+  Bounded swept;
+  for (std::uint32_t i = change[0].first; i < change[1].first; ++i) {
+    const BoundaryEdge& edge = field.winding.boundary.edges[field.leaf_windings.near[i]];
+    const Bounded angle = swept_angle(p, r.at, edge.from, edge.to);
+    swept.value += edge.times * angle.value;
+    swept.error += edge.times * angle.error;
   }
-  return {sum.value / four_pi, sum.error / four_pi};
+  const Vec3 way = minus(p, r.at);
+  const float* g = change->gradient;
+  return {swept.value / four_pi + g[0] * way.x + g[1] * way.y + g[2] * way.z,
+          swept.error / four_pi + change->drift * (distance_between(p, r.at) / r.radius)};
 }
 
 }  // namespace
 
 std::uint64_t LeafWindings::bytes() const noexcept {
-  return (at_reference.capacity() + doubts.capacity()) * sizeof(float) +
-         (first.capacity() + near.capacity()) * sizeof(std::uint32_t);
+  return at_reference.capacity() * sizeof(float) + changes.capacity() * sizeof(Change) +
+         near.capacity() * sizeof(std::uint32_t);
 }
 
 LeafWindings leaf_windings(const FieldData& field) {
@@ -148,7 +157,7 @@ LeafWindings leaf_windings(const FieldData& field) {
   for_chunks(parts.size(), 1,
              [&](std::size_t block, std::size_t) { parts[block] = BlockWindings(field, block).take(); });
   for (const LeafWindings& part : parts) append(all, part);
-  if (!field.winding.empty()) all.first.push_back(static_cast<std::uint32_t>(all.near.size()));
+  if (!field.winding.empty()) all.changes.push_back({{}, 0, static_cast<std::uint32_t>(all.near.size())});
   return all;
 }
 
@@ -160,16 +169,16 @@ int side_by_leaf(const FieldData& field, const Vec3& p) noexcept {
   if (std::isnan(all.at_reference[leaf])) return 0;
   const Cell cell{deepest_level - static_cast<int>(up),
                   {point.place[0] >> up, point.place[1] >> up, point.place[2] >> up}};
-  const Vec3 r = reference_of(field.tree.lattice, cell).at;
+  const Reference r = reference_of(field.tree.lattice, cell);
   const Located located = field.index.at(point, leaf);
   const double farthest = std::max(located.from_centre, from_centre * std::ldexp(1.0, -cell.level));
-  SegmentCrossings crossings(p, r);
-  if (!count_crossings(field, located.entries, farthest, united({p, p}, {r, r}), crossings)) return 0;
-  const double w = all.at_reference[leaf] + crossings.total();
-  if (all.doubts.empty()) return w > 0.5 ? -1 : 1;
-  const Bounded swept = swept_by_boundary(field, leaf, p, r);
-  const double above = w + swept.value - 0.5;
-  if (!(std::fabs(above) > all.doubts[leaf] + swept.error)) return 0;
+  SegmentCrossings crossings(p, r.at);
+  if (!count_crossings(field, located.entries, farthest, united({p, p}, {r.at, r.at}), crossings)) return 0;
+  const double w = static_cast<double>(all.at_reference[leaf]) + crossings.total();
+  if (all.changes.empty()) return w > 0.5 ? -1 : 1;
+  const Bounded change = changed(field, leaf, p, r);
+  const double above = w + change.value - 0.5;
+  if (!(std::fabs(above) > change.error + good_error + rounding)) return 0;
   return above > 0 ? -1 : 1;
 }
 

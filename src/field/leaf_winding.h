@@ -4,9 +4,8 @@
 /// A leaf's list holds every triangle that meets the leaf: on such a triangle nothing is closer than it. So
 /// the segment from a query p to the leaf's reference point r passes through triangles of the list alone, n
 /// times (SegmentCrossings), and
-///     w(p) = w(r) + n + sum of near boundary edges' swept angles / 4 pi, within the drift of the others
-/// (boundary.h: the change of w but for crossings hangs on the boundary alone). Without boundary that is
-/// exact.
+///     w(p) = w(r) + n + what the boundary changes on the way (boundary.h),
+/// which is exact if there is no boundary.
 #pragma once
 
 #include <cstdint>
@@ -23,9 +22,13 @@ struct LeafWindings {
   std::vector<float> at_reference;  ///< w(r), NaN where it is not known or nobody needs it
 
   // Empty if there is no boundary.
-  std::vector<float> doubts;            ///< drift of all but the near edges, and the error of w(r)
-  std::vector<std::uint32_t> first;     ///< the leaf's near edges are near[first[i]] ..
-  std::vector<std::uint32_t> near;      ///< numbers of boundary edges
+  struct Change {
+    float gradient[3];    ///< by the boundary but for near edges
+    float drift;          ///< and that at most beside, by the farthest point of the leaf
+    std::uint32_t first;  ///< the leaf's near edges are near[first] .. of the next leaf
+  };
+  std::vector<Change> changes;
+  std::vector<std::uint32_t> near;  ///< numbers of boundary edges
 
   std::uint64_t bytes() const noexcept;
 };
