@@ -19,8 +19,8 @@ constexpr double up = 1 + 0x1p-40;
 /// No winding number that is worth deciding drifts more.
 constexpr double hopeless = 1024;
 constexpr int most_halvings = 8;
-/// Nodes that many times their diagonal, and the ball's radius, away are taken whole.
-constexpr double far_nodes = 8;
+/// More edges within reach cost more than they are good for.
+constexpr std::size_t most_opened = 1024;
 
 /// By edge id: how often triangles run along it from the low vertex to the high one, less the other way.
 std::vector<std::int32_t> balances(const TriangleStore& store, std::size_t edge_count) {
@@ -114,16 +114,23 @@ class PartsAround {
     std::uint32_t number;
   };
 
-  PartsAround(const Boundary& boundary, SearchSpace space, const Vec3& centre, double radius)
-      : boundary_(boundary), space_(space), centre_(centre), radius_(radius) {
-    walk(
+  /// Nodes so far that all of the boundary from there on would pull by `most` at most are taken whole.
+  PartsAround(const Boundary& boundary, SearchSpace space, const Vec3& centre, double radius, double most)
+      : boundary_(boundary),
+        space_(space),
+        centre_(centre),
+        radius_(radius),
+        far_(std::sqrt(boundary.lengths[0] / most)) {
+    are_few = walk(
         space.bvh, 0, [&](std::uint32_t node) { return !is_far(node); },
         [&](std::uint32_t node) { return add(space.bvh.nodes[node].first_group); });
+    if (!are_few) return;
     std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
       return a.pull != b.pull ? a.pull < b.pull : a.number < b.number;
     });
   }
 
+  bool are_few = false;  ///< not more than most_opened; else nothing else is of use
   double of_nodes = 0;
   std::vector<Edge> edges;  ///< the others, by pull
 
@@ -133,7 +140,7 @@ class PartsAround {
     if (length == 0) return true;
     const Box& box = space_.bvh.nodes[node].box;
     const double gap = std::sqrt(squared_distance_below(centre_, box)) * (1 - 0x1p-40) - radius_;
-    if (!(gap > far_nodes * diagonal_above(box) && gap > far_nodes * radius_)) return false;
+    if (!(gap > far_)) return false;
     of_nodes += length / gap / gap;
     return true;
   }
@@ -147,13 +154,13 @@ class PartsAround {
       const double gap = distance_between(centre_, middle) * (1 - 0x1p-40) - length / 2 - radius_;
       edges.push_back({gap > 0 ? edge.times * radius_ * length / gap / gap / gap : infinity, e});
     }
-    return true;
+    return edges.size() <= most_opened;
   }
 
   const Boundary& boundary_;
   SearchSpace space_;
   Vec3 centre_;
-  double radius_;
+  double radius_, far_;
 };
 
 /// Gradient of the solid angle at c that hangs on the edge: the integral of r x dl / |r|^3.
@@ -167,9 +174,10 @@ Eigen::Vector3d gradient_at(const Vec3& c, const BoundaryEdge& edge) noexcept {
 
 std::optional<BoundaryPart> boundary_around(const Boundary& boundary, SearchSpace space, const Vec3& centre,
                                             double radius, double budget, std::size_t most_near) {
-  const PartsAround parts(boundary, space, centre, radius);
-  double sum = parts.of_nodes;
   const double most = budget * four_pi / radius;
+  const PartsAround parts(boundary, space, centre, radius, most / 4);
+  if (!parts.are_few) return std::nullopt;
+  double sum = parts.of_nodes;
   std::size_t kept = 0;
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
   for (; kept < parts.edges.size() && sum + parts.edges[kept].pull <= most; ++kept) {

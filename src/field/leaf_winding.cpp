@@ -12,10 +12,10 @@
 #include "field/field_data.h"
 #include "field/leaves.h"
 #include "field/winding.h"
+#include "geometry/angle_sum.h"
 #include "geometry/box_distance.h"
 #include "geometry/offset.h"
 #include "geometry/segment_crossings.h"
-#include "geometry/solid_angle.h"
 #include "mesh/crossings.h"
 
 namespace cdfr {
@@ -130,17 +130,16 @@ bool count_crossings(const FieldData& field, std::span<const Entry> list, double
 /// What the boundary changes on the way from r to p.
 Bounded changed(const FieldData& field, std::uint32_t leaf, const Vec3& p, const Reference& r) noexcept {
   const LeafWindings::Change* change = &field.leaf_windings.changes[leaf];
-  Bounded swept;
+  AngleSum swept;
   for (std::uint32_t i = change[0].first; i < change[1].first; ++i) {
     const BoundaryEdge& edge = field.winding.boundary.edges[field.leaf_windings.near[i]];
-    const Bounded angle = swept_angle(p, r.at, edge.from, edge.to);
-    swept.value += edge.times * angle.value;
-    swept.error += edge.times * angle.error;
+    for (double k = 0; k < edge.times; ++k) swept.add_swept(p, r.at, edge.from, edge.to);
   }
+  const Bounded angle = swept.sum();
   const Vec3 way = minus(p, r.at);
   const float* g = change->gradient;
-  return {swept.value / four_pi + g[0] * way.x + g[1] * way.y + g[2] * way.z,
-          swept.error / four_pi + change->drift * (distance_between(p, r.at) / r.radius)};
+  return {angle.value / four_pi + g[0] * way.x + g[1] * way.y + g[2] * way.z,
+          angle.error / four_pi + change->drift * (distance_between(p, r.at) / r.radius)};
 }
 
 }  // namespace

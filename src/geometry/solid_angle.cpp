@@ -1,11 +1,8 @@
 #include "geometry/solid_angle.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 #include "core/arithmetic.h"
-#include "core/vector.h"
 #include "geometry/double_double.h"
 #include "geometry/offset.h"
 #include "geometry/orientation.h"
@@ -97,37 +94,6 @@ Bounded solid_angle_to_infinity(const Vec3& p, const Vec3& from, const Vec3& to,
   const bool either_side = std::fabs(d.fraction.numerator) <= d.doubt && d.fraction.denominator < d.doubt;
   if (at_border(d.fraction) || either_side) return {0, whole_turn};
   return angle_of(d.fraction.numerator, d);
-}
-
-namespace {
-
-/// A complex number whose argument is half a solid angle.
-struct HalfAngle {
-  double real, imaginary;
-};
-
-HalfAngle half_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) noexcept {
-  return {1 + a.dot(b) + b.dot(c) + c.dot(a), a.dot(b.cross(c))};
-}
-
-}  // namespace
-
-/// The four directions are off by less than 4u, so each of the two numbers by less than 64u, and the argument
-/// of their product by 2 * 64u over the smaller modulus. The parallelogram takes up less than half a sphere:
-/// the argument of the product is within (-pi, pi), and what rounding may carry over that is left open.
-Bounded swept_angle(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) noexcept {
-  const auto direction = [](const Vec3& from, const Vec3& to) {
-    const Eigen::Vector3d v = to_eigen(minus(to, from));
-    return Eigen::Vector3d(v / v.norm());
-  };
-  const Eigen::Vector3d pa = direction(p, a), pb = direction(p, b), qb = direction(q, b), qa = direction(q, a);
-  const HalfAngle f = half_angle(pa, pb, qb), g = half_angle(pa, qb, qa);
-  const double real = f.real * g.real - f.imaginary * g.imaginary;
-  const double imaginary = f.real * g.imaginary + f.imaginary * g.real;
-  const double modulus = std::sqrt(std::min(f.real * f.real + f.imaginary * f.imaginary,
-                                            g.real * g.real + g.imaginary * g.imaginary));
-  if (!(modulus > 0x1p-20) || (real < 0 && std::fabs(imaginary) < 0x1p-20 * -real)) return {0, four_pi};
-  return {2 * arctangent2(imaginary, real), 0x1p-44 / modulus};
 }
 
 }  // namespace cdfr

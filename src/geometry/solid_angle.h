@@ -29,11 +29,4 @@ Bounded solid_angle(const Vec3& p, const std::array<Vec3, 3>& triangle) noexcept
 Bounded solid_angle_to_infinity(const Vec3& p, const Vec3& from, const Vec3& to,
                                 const Vec3& direction) noexcept;
 
-/// By how much the edge from a to b, as part of the boundary of a surface, changes the solid angle of that
-/// surface on the straight way from q to p, but for whole spheres where the way passes through the surface:
-/// the angle of the parallelogram that the edge sweeps as seen from the point. Seen from p and q the surface
-/// and that parallelogram close up to one that winds round the point a whole number of times. Where the way
-/// comes so near the edge that rounding may tell on which side it passes, the error is a whole sphere.
-Bounded swept_angle(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) noexcept;
-
 }  // namespace cdfr
