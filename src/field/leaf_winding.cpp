@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "field/boundary.h"
 #include "field/field_data.h"
 #include "field/leaves.h"
+#include "field/side.h"
 #include "field/winding.h"
 #include "geometry/angle_sum.h"
 #include "geometry/box_distance.h"
@@ -20,8 +20,6 @@
 
 namespace cdfr {
 namespace {
-
-constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
 /// From a leaf's centre to its reference point, in sizes of the leaf: in general position, so that faces in
 /// planes of the lattice do not hold it.
@@ -56,38 +54,41 @@ Reference reference_of(const Lattice& lattice, const Cell& cell) noexcept {
 class BlockWindings {
  public:
   BlockWindings(const FieldData& field, std::size_t block) : field_(field), block_(field.tree.blocks[block]) {
-    const std::size_t count = block_.leaves.size();
-    all_.at_reference.assign(count, unknown);
     for_each_leaf(block_, [&](const Cell& cell, std::uint32_t leaf) {
-      if (!field_.winding.empty()) all_.changes.push_back({{}, 0, static_cast<std::uint32_t>(all_.near.size())});
       const Side side = block_.leaves[leaf].side();
-      if (side == Side::surface || side == Side::undecided) find(reference_of(field_.tree.lattice, cell), leaf);
+      const bool is_needed = side == Side::surface || side == Side::undecided;
+      const Reference r = reference_of(field_.tree.lattice, cell);
+      if (field_.winding.empty()) {
+        all_.whole.push_back(is_needed ? winding_at(r.at) : LeafWindings::unknown);
+      } else {
+        all_.place.push_back(is_needed && is_found(r) ? static_cast<std::uint32_t>(all_.known.size() - 1)
+                                                      : no_index);
+      }
     });
   }
 
   LeafWindings take() { return std::move(all_); }
 
  private:
-  void find(const Reference& r, std::uint32_t leaf) {
-    if (field_.winding.empty()) {
-      all_.at_reference[leaf] = static_cast<float>(winding_by_crossings(r.at, field_.space()));
-    } else {
-      find_between(r, leaf);
-    }
+  std::int32_t winding_at(const Vec3& p) const noexcept {
+    if (const std::optional<int> winding = winding_by_closest(field_, p)) return *winding;
+    return winding_by_crossings(p, field_.space());
   }
 
-  void find_between(const Reference& r, std::uint32_t leaf) {
+  bool is_found(const Reference& r) {
     const std::optional<BoundaryPart> part = boundary_around(field_.winding.boundary, field_.space(), r.at,
                                                              r.radius, most_drift, most_edges);
-    if (!part) return;
+    if (!part) return false;
     const Bounded w = winding_within(field_.winding, field_.space(), r.at, good_error);
-    if (!(w.error <= good_error)) return;
-    all_.at_reference[leaf] = static_cast<float>(w.value);
-    LeafWindings::Change& change = all_.changes.back();
+    if (!(w.error <= good_error)) return false;
+    const auto single = [](double x) { return static_cast<float>(x); };
     const Vec3& g = part->gradient;
-    change = {{static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)},
-              static_cast<float>(part->drift), change.first};
+    all_.known.push_back({single(w.value),
+                          {single(g.x), single(g.y), single(g.z)},
+                          single(part->drift),
+                          static_cast<std::uint32_t>(all_.near.size())});
     all_.near.insert(all_.near.end(), part->near.begin(), part->near.end());
+    return true;
   }
 
   const FieldData& field_;
@@ -95,14 +96,24 @@ class BlockWindings {
   LeafWindings all_;
 };
 
-void append(LeafWindings& all, const LeafWindings& part) {
-  const auto before = static_cast<std::uint32_t>(all.near.size());
-  all.at_reference.insert(all.at_reference.end(), part.at_reference.begin(), part.at_reference.end());
-  for (LeafWindings::Change change : part.changes) {
-    change.first += before;
-    all.changes.push_back(change);
+LeafWindings joined(const std::vector<LeafWindings>& parts) {
+  LeafWindings all;
+  for (const LeafWindings& part : parts) {
+    const auto known = static_cast<std::uint32_t>(all.known.size());
+    const auto near = static_cast<std::uint32_t>(all.near.size());
+    all.whole.insert(all.whole.end(), part.whole.begin(), part.whole.end());
+    for (const std::uint32_t place : part.place) all.place.push_back(place == no_index ? place : known + place);
+    for (const LeafWindings::Known& k : part.known) {
+      all.known.push_back(k);
+      all.known.back().first += near;
+    }
+    all.near.insert(all.near.end(), part.near.begin(), part.near.end());
   }
-  all.near.insert(all.near.end(), part.near.begin(), part.near.end());
+  all.known.push_back({0, {}, 0, static_cast<std::uint32_t>(all.near.size())});
+  for (auto* words : {&all.place, &all.near}) words->shrink_to_fit();
+  all.whole.shrink_to_fit();
+  all.known.shrink_to_fit();
+  return all;
 }
 
 /// Triangles of the list that may meet the segment. False if one of them leaves it open. No point of the
@@ -128,57 +139,87 @@ bool count_crossings(const FieldData& field, std::span<const Entry> list, double
 }
 
 /// What the boundary changes on the way from r to p.
-Bounded changed(const FieldData& field, std::uint32_t leaf, const Vec3& p, const Reference& r) noexcept {
-  const LeafWindings::Change* change = &field.leaf_windings.changes[leaf];
+Bounded changed(const FieldData& field, const LeafWindings::Known* known, const Vec3& p,
+                const Reference& r) noexcept {
   AngleSum swept;
-  for (std::uint32_t i = change[0].first; i < change[1].first; ++i) {
+  for (std::uint32_t i = known[0].first; i < known[1].first; ++i) {
     const BoundaryEdge& edge = field.winding.boundary.edges[field.leaf_windings.near[i]];
     for (double k = 0; k < edge.times; ++k) swept.add_swept(p, r.at, edge.from, edge.to);
   }
   const Bounded angle = swept.sum();
   const Vec3 way = minus(p, r.at);
-  const float* g = change->gradient;
+  const float* g = known->gradient;
   return {angle.value / four_pi + g[0] * way.x + g[1] * way.y + g[2] * way.z,
-          angle.error / four_pi + change->drift * (distance_between(p, r.at) / r.radius)};
+          angle.error / four_pi + known->drift * (distance_between(p, r.at) / r.radius)};
+}
+
+/// A point in its leaf.
+struct Place {
+  LatticePoint point;
+  std::uint32_t leaf;
+  Cell cell;
+};
+
+Place place_of(const LeafIndex& index, const Vec3& p) noexcept {
+  const LatticePoint point = index.place(p);
+  const std::uint32_t leaf = index.leaf(point), up = index.up(leaf);
+  return {point,
+          leaf,
+          {deepest_level - static_cast<int>(up),
+           {point.place[0] >> up, point.place[1] >> up, point.place[2] >> up}}};
+}
+
+/// Passages on the way from p to r; nothing if that is open.
+std::optional<int> crossings_to(const FieldData& field, const Place& place, const Vec3& p, const Vec3& r) noexcept {
+  const Located located = field.index.at(place.point, place.leaf);
+  const double farthest = std::max(located.from_centre, from_centre * std::ldexp(1.0, -place.cell.level));
+  SegmentCrossings crossings(p, r);
+  const bool is_certain = count_crossings(field, located.entries, farthest, united({p, p}, {r, r}), crossings);
+  return is_certain ? std::optional(crossings.total()) : std::nullopt;
+}
+
+int side_if_whole(const FieldData& field, const Place& place, const Vec3& p) noexcept {
+  const std::int32_t at_reference = field.leaf_windings.whole[place.leaf];
+  if (at_reference == LeafWindings::unknown) return 0;
+  const std::optional<int> crossings =
+      crossings_to(field, place, p, reference_of(field.tree.lattice, place.cell).at);
+  if (!crossings) return 0;
+  return at_reference + *crossings > 0 ? -1 : 1;
+}
+
+int side_with_boundary(const FieldData& field, const Place& place, const Vec3& p) noexcept {
+  const std::uint32_t number = field.leaf_windings.place[place.leaf];
+  if (number == no_index) return 0;
+  const LeafWindings::Known* known = &field.leaf_windings.known[number];
+  const Reference r = reference_of(field.tree.lattice, place.cell);
+  const std::optional<int> crossings = crossings_to(field, place, p, r.at);
+  if (!crossings) return 0;
+  const Bounded change = changed(field, known, p, r);
+  const double above = static_cast<double>(known->at_reference) + *crossings + change.value - 0.5;
+  if (!(std::fabs(above) > change.error + good_error + rounding)) return 0;
+  return above > 0 ? -1 : 1;
 }
 
 }  // namespace
 
 std::uint64_t LeafWindings::bytes() const noexcept {
-  return at_reference.capacity() * sizeof(float) + changes.capacity() * sizeof(Change) +
-         near.capacity() * sizeof(std::uint32_t);
+  return whole.capacity() * sizeof(std::int32_t) + known.capacity() * sizeof(Known) +
+         (place.capacity() + near.capacity()) * sizeof(std::uint32_t);
 }
 
 LeafWindings leaf_windings(const FieldData& field) {
-  LeafWindings all;
-  if (field.sign != Sign::winding) return all;
+  if (field.sign != Sign::winding) return {};
   std::vector<LeafWindings> parts(field.tree.blocks.size());
   for_chunks(parts.size(), 1,
              [&](std::size_t block, std::size_t) { parts[block] = BlockWindings(field, block).take(); });
-  for (const LeafWindings& part : parts) append(all, part);
-  if (!field.winding.empty()) all.changes.push_back({{}, 0, static_cast<std::uint32_t>(all.near.size())});
-  return all;
+  return joined(parts);
 }
 
 int side_by_leaf(const FieldData& field, const Vec3& p) noexcept {
   const LeafWindings& all = field.leaf_windings;
-  if (all.at_reference.empty() || !field.index.contains(p)) return 0;
-  const LatticePoint point = field.index.place(p);
-  const std::uint32_t leaf = field.index.leaf(point), up = field.index.up(leaf);
-  if (std::isnan(all.at_reference[leaf])) return 0;
-  const Cell cell{deepest_level - static_cast<int>(up),
-                  {point.place[0] >> up, point.place[1] >> up, point.place[2] >> up}};
-  const Reference r = reference_of(field.tree.lattice, cell);
-  const Located located = field.index.at(point, leaf);
-  const double farthest = std::max(located.from_centre, from_centre * std::ldexp(1.0, -cell.level));
-  SegmentCrossings crossings(p, r.at);
-  if (!count_crossings(field, located.entries, farthest, united({p, p}, {r.at, r.at}), crossings)) return 0;
-  const double w = static_cast<double>(all.at_reference[leaf]) + crossings.total();
-  if (all.changes.empty()) return w > 0.5 ? -1 : 1;
-  const Bounded change = changed(field, leaf, p, r);
-  const double above = w + change.value - 0.5;
-  if (!(std::fabs(above) > change.error + good_error + rounding)) return 0;
-  return above > 0 ? -1 : 1;
+  if ((all.whole.empty() && all.place.empty()) || !field.index.contains(p)) return 0;
+  const Place place = place_of(field.index, p);
+  return all.place.empty() ? side_if_whole(field, place, p) : side_with_boundary(field, place, p);
 }
 
 }  // namespace cdfr

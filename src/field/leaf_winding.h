@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "cdfr/core/types.h"
@@ -17,24 +18,29 @@ namespace cdfr {
 
 struct FieldData;
 
-/// By leaf of the index; empty if winding does not decide.
+/// Empty if winding does not decide.
 struct LeafWindings {
-  std::vector<float> at_reference;  ///< w(r), NaN where it is not known or nobody needs it
+  static constexpr std::int32_t unknown = std::numeric_limits<std::int32_t>::min();
 
-  // Empty if there is no boundary.
-  struct Change {
+  /// If there is no boundary: w(r) by leaf of the index, where it is known and somebody needs it.
+  std::vector<std::int32_t> whole;
+
+  // If there is one.
+  struct Known {
+    float at_reference;   ///< w(r)
     float gradient[3];    ///< by the boundary but for near edges
     float drift;          ///< and that at most beside, by the farthest point of the leaf
-    std::uint32_t first;  ///< the leaf's near edges are near[first] .. of the next leaf
+    std::uint32_t first;  ///< its near edges are near[first] .. of the next one
   };
-  std::vector<Change> changes;
-  std::vector<std::uint32_t> near;  ///< numbers of boundary edges
+  std::vector<std::uint32_t> place;  ///< by leaf: in `known`, or no_index
+  std::vector<Known> known;          ///< and an end
+  std::vector<std::uint32_t> near;   ///< numbers of boundary edges
 
   std::uint64_t bytes() const noexcept;
 };
 
-/// Precondition: sides and index are set. One count of crossings or evaluation of w a leaf. Runs in the
-/// caller's task arena.
+/// Precondition: sides and index are set. A query, a count of crossings or an evaluation of w a leaf. Runs in
+/// the caller's task arena.
 LeafWindings leaf_windings(const FieldData& field);
 
 /// 1 outside, -1 inside, 0 if p's leaf does not tell.

@@ -60,4 +60,13 @@ int side_of(const FieldData& field, const Vec3& p, const Finding& finding) noexc
   return by_closest(field, p, finding);
 }
 
+std::optional<int> winding_by_closest(const FieldData& field, const Vec3& p) noexcept {
+  const Finding finding = find_closest(field, p);
+  const Winner& winner = finding.winner;
+  const bool is_alone = !finding.crowded && finding.rival_count == 0 && winner.foot.squared.hi > 0;
+  if (!is_alone || field.triangles.records[winner.slot].sides != Sides::outward) return std::nullopt;
+  const int side = by_normals(field, p, winner.foot, winner.slot);
+  return side != 0 ? std::optional(side < 0 ? 1 : 0) : std::nullopt;
+}
+
 }  // namespace cdfr
