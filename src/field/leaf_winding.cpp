@@ -29,7 +29,7 @@ constexpr double from_centre = 0.09;  ///< its length, rounded up
 constexpr double reach = 0.96;
 
 /// More near edges take as long as the winding number itself.
-constexpr std::size_t most_edges = 64;
+constexpr std::size_t most_edges = 128;
 /// What may be left open of the change by the boundary: most places are farther from w = 1/2.
 constexpr double most_drift = 0x1p-2;
 /// Of w(r), where that is not whole.

@@ -23,7 +23,9 @@ constexpr double up = 1 + 0x1p-40;
 /// Of each partial sum: its rounding.
 constexpr double sum_error = 0x1p-52;
 /// Boundaries up to this length are summed at once: as quick as an opening of 2.
-constexpr std::size_t few_edges = 512;
+constexpr std::size_t few_edges = 256;
+/// Up to this length they are as quick as an opening that leaves an error of a percent.
+constexpr std::size_t short_boundary = 1024;
 /// A sum over a boundary that is worse has met an edge. Another direction will not, unless the point itself
 /// is there.
 constexpr double good_error = 0x1p-24;
@@ -192,52 +194,52 @@ Bounded winding_by_short_boundary(const WindingTree& tree, SearchSpace space, co
   return {0, infinity};
 }
 
-/// w(p), refined until it is good enough or known to rounding. A short boundary is the quicker way, and if it
-/// is shorter than the mesh the surer one; where all of its directions are spoilt, the triangles answer.
-template <class GoodEnough>
-Bounded refined(const WindingTree& tree, SearchSpace space, const Vec3& p, GoodEnough good_enough) noexcept {
+/// w(p), refined until it is farther than `margin` from 1/2 or known to rounding. A short boundary is the
+/// quicker way, and if it is shorter than the mesh the surer one; where all of its directions are spoilt, the
+/// triangles answer.
+Bounded refined(const WindingTree& tree, SearchSpace space, const Vec3& p, double margin) noexcept {
+  const auto decided = [margin](const Bounded& w) { return std::fabs(w.value - 0.5) > w.error + margin; };
   const std::size_t edges = tree.boundary.edges.size();
   if (edges <= few_edges) {
     const Bounded w = winding_by_short_boundary(tree, space, p);
-    if (good_enough(w)) return w;
+    if (decided(w)) return w;
   } else {
     for (const double opening : {2.0, 4.0}) {
       const Bounded w = winding_number(tree, space, p, opening);
-      if (good_enough(w)) return w;
+      if (decided(w)) return w;
     }
   }
   Bounded best{0, infinity};
   if (edges < space.triangles.size()) {
     best = winding_by_boundary(tree, space, p);
-    if (good_enough(best) || best.error < good_error) return best;
+    if (decided(best) || best.error < good_error) return best;
   }
   for (const double opening : {8.0, 16.0, infinity}) {
     const Bounded w = winding_number(tree, space, p, opening);
-    if (good_enough(w)) return w;
+    if (decided(w)) return w;
     if (w.error < best.error) best = w;
   }
   return best;
 }
 
-/// Farther than `margin` from 1/2.
-auto decided(double margin) noexcept {
-  return [margin](const Bounded& w) { return std::fabs(w.value - 0.5) > w.error + margin; };
-}
-
 }  // namespace
 
 Bounded winding_within(const WindingTree& tree, SearchSpace space, const Vec3& p, double error) noexcept {
-  return refined(tree, space, p, [error](const Bounded& w) { return w.error <= error; });
+  Bounded w{0, infinity};
+  if (tree.boundary.edges.size() <= short_boundary) w = winding_by_short_boundary(tree, space, p);
+  for (double opening = 2; !(w.error <= error) && opening <= 16; opening *= 2)
+    w = winding_number(tree, space, p, opening);
+  return w;
 }
 
 bool winds(const WindingTree& tree, SearchSpace space, const Vec3& p) noexcept {
-  return refined(tree, space, p, decided(0)).value > 0.5;
+  return refined(tree, space, p, 0).value > 0.5;
 }
 
 Side side_of_ball(const WindingTree& tree, SearchSpace space, const Vec3& centre, double radius) noexcept {
   const double drift = winding_drift(tree.boundary, space, centre, radius);
   if (!std::isfinite(drift)) return Side::undecided;
-  const Bounded w = refined(tree, space, centre, decided(drift));
+  const Bounded w = refined(tree, space, centre, drift);
   if (std::fabs(w.value - 0.5) > w.error + drift) return w.value > 0.5 ? Side::inside : Side::outside;
   return Side::undecided;
 }

@@ -33,19 +33,20 @@ AngleSum::Complex AngleSum::product(const Complex& f, const Complex& g) noexcept
 /// product's is the other one.
 ///
 /// Directions are off by less than 8u, so real and imaginary part of a triangle's number by less than 128u
-/// each, and arguments by that over the modulus; a product of two by twice that over the smaller one, and
-/// neither modulus is above 4. So with the modulus m of what is added, 2^-40 / m covers the error of the
-/// angle, twice the argument, and the rounding of the products. An argument that rounding may carry over pi,
-/// and a modulus that says little, are left open.
-void AngleSum::add(const Complex& half, double modulus) noexcept {
-  const bool is_open =
-      !(modulus > 0x1p-20) || (half.real < 0 && std::fabs(half.imaginary) < 0x1p-20 * -half.real);
-  error_ += is_open ? std::numeric_limits<double>::infinity() : 0x1p-40 / modulus;
+/// each, and its argument by less than 2^-45 over its modulus, which is 4 at most; a product of two by twice
+/// that over the smaller modulus m, and the angle, twice the argument, by 2^-43 / m; 2^-42 / m covers the
+/// rounding of the products. Left open is a modulus that says little, and an argument that rounding, below
+/// 2^-44 / 2^-18, may carry over pi.
+void AngleSum::add(const Complex& half, double squared) noexcept {
+  is_open_ |= !(squared > 0x1p-36) || (half.real < 0 && std::fabs(half.imaginary) < 0x1p-20 * -half.real);
+  least_squared_ = std::min(least_squared_, squared);
+  ++count_;
   const Complex next = product(product_, half);
   const bool before = product_.imaginary < 0, added = half.imaginary < 0, after = next.imaginary < 0;
   if (before == added && after != before) turns_ += before ? -1 : 1;
-  const double shorter = 1 / (std::fabs(next.real) + std::fabs(next.imaginary));
-  product_ = {next.real * shorter, next.imaginary * shorter};
+  product_ = next;
+  const double size = std::fabs(next.real) + std::fabs(next.imaginary);
+  if (size > 0x1p200 || size < 0x1p-200) product_ = {next.real / size, next.imaginary / size};
 }
 
 /// The parallelogram takes up less than half a sphere, so the argument of the product of its two triangles'
@@ -55,16 +56,18 @@ void AngleSum::add_swept(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3
   const Complex f = half_angle(pa, pb, qb), g = half_angle(pa, qb, qa);
   const double smaller = std::min(f.real * f.real + f.imaginary * f.imaginary,
                                   g.real * g.real + g.imaginary * g.imaginary);
-  add(product(f, g), smaller / 4);
+  add(product(f, g), smaller);
 }
 
 void AngleSum::add_to_infinity(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& direction_there) noexcept {
   const Complex f = half_angle(direction(p, a), direction(p, b), direction_there);
-  add(f, (f.real * f.real + f.imaginary * f.imaginary) / 4);
+  add(f, f.real * f.real + f.imaginary * f.imaginary);
 }
 
 Bounded AngleSum::sum() const noexcept {
-  return {2 * arctangent2(product_.imaginary, product_.real) + turns_ * four_pi, error_ + 0x1p-48};
+  if (is_open_) return {0, std::numeric_limits<double>::infinity()};
+  return {2 * arctangent2(product_.imaginary, product_.real) + turns_ * four_pi,
+          static_cast<double>(count_) * 0x1p-42 / std::sqrt(least_squared_) + 0x1p-48};
 }
 
 }  // namespace cdfr

@@ -2,6 +2,8 @@
 /// Oosterom's and Strackee's formula, solid_angle.h), and arguments add up as numbers are multiplied.
 #pragma once
 
+#include <cstddef>
+
 #include "cdfr/core/types.h"
 #include "geometry/solid_angle.h"
 
@@ -28,11 +30,14 @@ class AngleSum {
   };
   static Complex half_angle(const Vec3& a, const Vec3& b, const Vec3& c) noexcept;
   static Complex product(const Complex& f, const Complex& g) noexcept;
-  void add(const Complex& half, double squared_modulus) noexcept;
+  /// `squared`: the square of the smallest modulus of its triangles.
+  void add(const Complex& half, double squared) noexcept;
 
   Complex product_{1, 0};
   int turns_ = 0;  ///< whole turns that the argument of the product lacks
-  double error_ = 0;
+  std::size_t count_ = 0;
+  double least_squared_ = 16;
+  bool is_open_ = false;
 };
 
 }  // namespace cdfr
