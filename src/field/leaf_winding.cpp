@@ -76,15 +76,16 @@ class BlockWindings {
   }
 
   bool is_found(const Reference& r) {
-    const std::optional<BoundaryPart> part = boundary_around(field_.winding.boundary, field_.space(), r.at,
-                                                             r.radius, most_drift, most_edges);
+    const std::optional<BoundaryPart> part =
+        boundary_around(field_.winding.boundary, field_.space(), r.at, r.radius, most_drift, most_edges);
     if (!part) return false;
     const Bounded w = winding_within(field_.winding, field_.space(), r.at, good_error);
     if (!(w.error <= good_error)) return false;
     const auto single = [](double x) { return static_cast<float>(x); };
     const Vec3& g = part->gradient;
+    const double unit = r.radius;
     all_.known.push_back({single(w.value),
-                          {single(g.x), single(g.y), single(g.z)},
+                          {single(g.x * unit), single(g.y * unit), single(g.z * unit)},
                           single(part->drift),
                           static_cast<std::uint32_t>(all_.near.size())});
     all_.near.insert(all_.near.end(), part->near.begin(), part->near.end());
@@ -102,7 +103,8 @@ LeafWindings joined(const std::vector<LeafWindings>& parts) {
     const auto known = static_cast<std::uint32_t>(all.known.size());
     const auto near = static_cast<std::uint32_t>(all.near.size());
     all.whole.insert(all.whole.end(), part.whole.begin(), part.whole.end());
-    for (const std::uint32_t place : part.place) all.place.push_back(place == no_index ? place : known + place);
+    for (const std::uint32_t place : part.place)
+      all.place.push_back(place == no_index ? place : known + place);
     for (const LeafWindings::Known& k : part.known) {
       all.known.push_back(k);
       all.known.back().first += near;
@@ -149,7 +151,7 @@ Bounded changed(const FieldData& field, const LeafWindings::Known* known, const 
   const Bounded angle = swept.sum();
   const Vec3 way = minus(p, r.at);
   const float* g = known->gradient;
-  return {angle.value / four_pi + g[0] * way.x + g[1] * way.y + g[2] * way.z,
+  return {angle.value / four_pi + (g[0] * way.x + g[1] * way.y + g[2] * way.z) / r.radius,
           angle.error / four_pi + known->drift * (distance_between(p, r.at) / r.radius)};
 }
 
@@ -170,11 +172,13 @@ Place place_of(const LeafIndex& index, const Vec3& p) noexcept {
 }
 
 /// Passages on the way from p to r; nothing if that is open.
-std::optional<int> crossings_to(const FieldData& field, const Place& place, const Vec3& p, const Vec3& r) noexcept {
+std::optional<int> crossings_to(const FieldData& field, const Place& place, const Vec3& p,
+                                const Vec3& r) noexcept {
   const Located located = field.index.at(place.point, place.leaf);
   const double farthest = std::max(located.from_centre, from_centre * std::ldexp(1.0, -place.cell.level));
   SegmentCrossings crossings(p, r);
-  const bool is_certain = count_crossings(field, located.entries, farthest, united({p, p}, {r, r}), crossings);
+  const bool is_certain =
+      count_crossings(field, located.entries, farthest, united({p, p}, {r, r}), crossings);
   return is_certain ? std::optional(crossings.total()) : std::nullopt;
 }
 

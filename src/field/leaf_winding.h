@@ -28,7 +28,7 @@ struct LeafWindings {
   // If there is one.
   struct Known {
     float at_reference;   ///< w(r)
-    float gradient[3];    ///< by the boundary but for near edges
+    float gradient[3];    ///< by the boundary but for near edges, a radius of the leaf's ball
     float drift;          ///< and that at most beside, by the farthest point of the leaf
     std::uint32_t first;  ///< its near edges are near[first] .. of the next one
   };

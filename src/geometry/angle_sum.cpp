@@ -54,12 +54,13 @@ void AngleSum::add(const Complex& half, double squared) noexcept {
 void AngleSum::add_swept(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) noexcept {
   const Vec3 pa = direction(p, a), pb = direction(p, b), qb = direction(q, b), qa = direction(q, a);
   const Complex f = half_angle(pa, pb, qb), g = half_angle(pa, qb, qa);
-  const double smaller = std::min(f.real * f.real + f.imaginary * f.imaginary,
-                                  g.real * g.real + g.imaginary * g.imaginary);
+  const double smaller =
+      std::min(f.real * f.real + f.imaginary * f.imaginary, g.real * g.real + g.imaginary * g.imaginary);
   add(product(f, g), smaller);
 }
 
-void AngleSum::add_to_infinity(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& direction_there) noexcept {
+void AngleSum::add_to_infinity(const Vec3& p, const Vec3& a, const Vec3& b,
+                               const Vec3& direction_there) noexcept {
   const Complex f = half_angle(direction(p, a), direction(p, b), direction_there);
   add(f, f.real * f.real + f.imaginary * f.imaginary);
 }

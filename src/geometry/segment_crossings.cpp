@@ -7,7 +7,8 @@
 
 // Highway compiles this file once for each instruction set and picks one when the program runs. What they
 // leave open differs by rounding, and is decided exactly.
-// SVE is left out: its vectors have no size at compile time and cannot be members of a struct; arm64 takes NEON.
+// SVE is left out: its vectors have no size at compile time and cannot be members of a struct; arm64 takes
+// NEON.
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 #undef HWY_TARGET_INCLUDE
@@ -45,8 +46,7 @@ HWY_INLINE Signs certain_signs(const Vector3& a, const Vector3& b, const Vector3
   const Vector y = hn::Mul(a.y, hn::Sub(hn::Mul(b.z, c.x), hn::Mul(b.x, c.z)));
   const Vector z = hn::Mul(a.z, hn::Sub(hn::Mul(b.x, c.y), hn::Mul(b.y, c.x)));
   const Vector determinant = hn::Add(hn::Add(x, y), z);
-  const Vector bound =
-      hn::Mul(hn::Set(d, 0x1p-46), hn::Mul(a.largest, hn::Mul(b.largest, c.largest)));
+  const Vector bound = hn::Mul(hn::Set(d, 0x1p-46), hn::Mul(a.largest, hn::Mul(b.largest, c.largest)));
   return {hn::Gt(determinant, bound), hn::Lt(determinant, hn::Neg(bound))};
 }
 
@@ -79,8 +79,8 @@ HWY_INLINE void pass(const Vec3& p, const Vec3& q, const TriangleGroup& group, s
   if (hn::AllTrue(d, beside)) return;
   const Signs behind = certain_signs(a, b, c);
   const Signs beyond = certain_signs(corner(q, 0), corner(q, 1), corner(q, 2));
-  const Mask clear = hn::Or(beside, hn::Or(hn::And(behind.positive, beyond.positive),
-                                           hn::And(behind.negative, beyond.negative)));
+  const Mask clear = hn::Or(
+      beside, hn::Or(hn::And(behind.positive, beyond.positive), hn::And(behind.negative, beyond.negative)));
   const Mask out = hn::And(hn::And(hn::And(ab.positive, bc.positive), ca.positive),
                            hn::And(behind.positive, beyond.negative));
   const Mask in = hn::And(hn::And(hn::And(ab.negative, bc.negative), ca.negative),

@@ -89,8 +89,8 @@ TEST(AngleSum, WholeTurnsAreKept) {
     sum.add_to_infinity(p, b, c, up);
     sum.add_to_infinity(p, c, a, up);
   }
-  const double once = solid_angle_to_infinity(p, a, b, up).value + solid_angle_to_infinity(p, b, c, up).value +
-                      solid_angle_to_infinity(p, c, a, up).value;
+  const double once = solid_angle_to_infinity(p, a, b, up).value +
+                      solid_angle_to_infinity(p, b, c, up).value + solid_angle_to_infinity(p, c, a, up).value;
   EXPECT_GT(std::fabs(once), 6);
   EXPECT_NEAR(sum.sum().value, 50 * once, 1e-8);
 }
