@@ -211,11 +211,12 @@ std::uint64_t LeafWindings::bytes() const noexcept {
          (place.capacity() + near.capacity()) * sizeof(std::uint32_t);
 }
 
-LeafWindings leaf_windings(const FieldData& field) {
+LeafWindings leaf_windings(const FieldData& field, Progress& progress) {
   if (field.sign != Sign::winding) return {};
   std::vector<LeafWindings> parts(field.tree.blocks.size());
-  for_chunks(parts.size(), 1,
-             [&](std::size_t block, std::size_t) { parts[block] = BlockWindings(field, block).take(); });
+  for_chunks(parts.size(), 1, [&](std::size_t block, std::size_t) {
+    if (progress.poll()) parts[block] = BlockWindings(field, block).take();
+  });
   return joined(parts);
 }
 

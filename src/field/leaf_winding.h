@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cdfr/core/types.h"
+#include "core/progress.h"
 
 namespace cdfr {
 
@@ -40,8 +41,8 @@ struct LeafWindings {
 };
 
 /// Precondition: sides and index are set. A query, a count of crossings or an evaluation of w a leaf. Runs in
-/// the caller's task arena.
-LeafWindings leaf_windings(const FieldData& field);
+/// the caller's task arena and polls the progress; of no use if that is cancelled.
+LeafWindings leaf_windings(const FieldData& field, Progress& progress);
 
 /// 1 outside, -1 inside, 0 if p's leaf does not tell.
 int side_by_leaf(const FieldData& field, const Vec3& p) noexcept;
