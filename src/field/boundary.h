@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "cdfr/core/types.h"
@@ -34,5 +35,22 @@ Boundary find_boundary(SearchSpace space, std::size_t edge_count);
 
 /// Bound on |w(x) - w(centre)| for such x; infinite if the boundary comes that near or nearly so.
 double winding_drift(const Boundary& boundary, SearchSpace space, const Vec3& centre, double radius) noexcept;
+
+/// How w changes in a ball around a centre, but for crossings: by what the near edges sweep (AngleSum), by
+/// the gradient that the others have at the centre, and by no more than the drift beside.
+///
+/// The others' second derivative is at most 2 L / (4 pi r^3) for each, so what a way of R leaves beside their
+/// gradient is R^2 L / (4 pi (r - R)^3); of far nodes the gradient is left out and R L / (4 pi (r - R)^2)
+/// counts.
+struct BoundaryPart {
+  std::vector<std::uint32_t> near;  ///< numbers of edges, ascending
+  Vec3 gradient;
+  double drift = 0;
+};
+
+/// With so few near edges that the drift is no more than `budget`; nothing if that takes more than
+/// `most_near`, or more than a thousand are at hand.
+std::optional<BoundaryPart> boundary_around(const Boundary& boundary, SearchSpace space, const Vec3& centre,
+                                            double radius, double budget, std::size_t most_near);
 
 }  // namespace cdfr

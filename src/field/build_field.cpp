@@ -149,6 +149,7 @@ Result<FieldData> build_field(MeshView mesh, const BuildOptions& options, const 
     index_leaves(*field);
     set_sides(*field, progress);
     field->index.take_sides(field->tree);
+    field->leaf_windings = leaf_windings(*field, progress);
   });
   if (progress.cancelled()) return Progress::error();
   return field;

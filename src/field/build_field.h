@@ -13,8 +13,8 @@ Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options, Prog
 
 Result<FieldData> build_field(MeshView mesh, const BuildOptions& options, const Run& run);
 
-/// What follows from the rest and is not stored: far_side and winding; first_leaf and
-/// index; scan_groups.
+/// What follows from the rest and is not stored: far_side and winding; first_leaf and index; scan_groups. So
+/// does leaf_windings (leaf_winding.h), from all of these and the leaves' sides.
 void derive_sides(FieldData& field);
 void index_leaves(FieldData& field);
 void derive_scan_groups(FieldData& field);

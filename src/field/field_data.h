@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cdfr/field/field.h"
+#include "field/leaf_winding.h"
 #include "field/sign.h"
 #include "field/winding.h"
 #include "geometry/scan_group.h"
@@ -30,6 +31,7 @@ struct FieldData {
   int far_side = 0;
   std::vector<std::uint64_t> first_leaf;  ///< leaves before each block
   LeafIndex index;
+  LeafWindings leaf_windings;  ///< where winding decides
   std::vector<ScanGroup> scan_groups;
 
   SearchSpace space() const noexcept { return {triangles, bvh}; }

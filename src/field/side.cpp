@@ -9,7 +9,13 @@ namespace cdfr {
 namespace {
 
 int by_crossings(const FieldData& field, const Vec3& p) noexcept {
+  if (const int side = side_by_leaf(field, p)) return side;
   return winding_by_crossings(p, field.space()) > 0 ? -1 : 1;
+}
+
+int by_winding(const FieldData& field, const Vec3& p) noexcept {
+  if (const int side = side_by_leaf(field, p)) return side;
+  return winds(field.winding, field.space(), p) ? -1 : 1;
 }
 
 double reach_of(const Vec3& p, const TriangleShape& triangle) noexcept {
@@ -50,8 +56,17 @@ int side_of(const FieldData& field, const Vec3& p, const Finding& finding) noexc
   if (finding.leaf == Side::inside) return -1;
   if (finding.leaf == Side::outside) return 1;
   if (field.far_side != 0 && !contains(field.bounds(), p)) return field.far_side;
-  if (!field.winding.empty()) return winds(field.winding, field.space(), p) ? -1 : 1;
+  if (!field.winding.empty()) return by_winding(field, p);
   return by_closest(field, p, finding);
+}
+
+std::optional<int> winding_by_closest(const FieldData& field, const Vec3& p) noexcept {
+  const Finding finding = find_closest(field, p);
+  const Winner& winner = finding.winner;
+  const bool is_alone = !finding.crowded && finding.rival_count == 0 && winner.foot.squared.hi > 0;
+  if (!is_alone || field.triangles.records[winner.slot].sides != Sides::outward) return std::nullopt;
+  const int side = by_normals(field, p, winner.foot, winner.slot);
+  return side != 0 ? std::optional(side < 0 ? 1 : 0) : std::nullopt;
 }
 
 }  // namespace cdfr

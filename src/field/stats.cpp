@@ -24,7 +24,8 @@ std::uint64_t total_bytes(const FieldData& field) noexcept {
                         bytes_of(field.winding.boundary.edges) + bytes_of(field.winding.boundary.first) +
                         bytes_of(field.winding.boundary.lengths) + bytes_of(field.tree.top) +
                         bytes_of(field.tree.blocks) + bytes_of(field.tree.levels) +
-                        bytes_of(field.first_leaf) + field.index.bytes() + bytes_of(field.scan_groups);
+                        bytes_of(field.first_leaf) + field.index.bytes() + field.leaf_windings.bytes() +
+                        bytes_of(field.scan_groups);
   for (const Block& block : field.tree.blocks) {
     bytes += bytes_of(block.nodes) + bytes_of(block.leaves) + bytes_of(block.entries);
   }

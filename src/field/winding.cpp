@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/vector.h"
+#include "geometry/angle_sum.h"
 #include "geometry/box_distance.h"
 #include "geometry/query_range.h"
 #include "mesh/crossings.h"
@@ -23,6 +24,8 @@ constexpr double up = 1 + 0x1p-40;
 constexpr double sum_error = 0x1p-52;
 /// Boundaries up to this length are summed at once: as quick as an opening of 2.
 constexpr std::size_t few_edges = 256;
+/// Up to this length they are as quick as an opening that leaves an error of a percent.
+constexpr std::size_t short_boundary = 1024;
 /// A sum over a boundary that is worse has met an edge. Another direction will not, unless the point itself
 /// is there.
 constexpr double good_error = 0x1p-24;
@@ -174,13 +177,33 @@ Bounded winding_by_boundary(const WindingTree& tree, SearchSpace space, const Ve
 
 namespace {
 
+/// winding_by_boundary in plain double, along the first ray that is not spoilt.
+Bounded winding_by_short_boundary(const WindingTree& tree, SearchSpace space, const Vec3& p) noexcept {
+  for (std::uint32_t attempt = 0; attempt < most_attempts; ++attempt) {
+    const Vec3 direction = ray_direction(attempt);
+    const std::optional<int> crossings = crossings_along(p, direction, space);
+    if (!crossings) continue;
+    const Vec3 back = from_eigen(-to_eigen(direction).normalized());
+    AngleSum angles;
+    for (const BoundaryEdge& edge : tree.boundary.edges) {
+      for (double i = 0; i < edge.times; ++i) angles.add_to_infinity(p, edge.from, edge.to, back);
+    }
+    const Bounded sum = angles.sum();
+    return {*crossings + sum.value / four_pi, sum.error / four_pi * up};
+  }
+  return {0, infinity};
+}
+
 /// w(p), refined until it is farther than `margin` from 1/2 or known to rounding. A short boundary is the
 /// quicker way, and if it is shorter than the mesh the surer one; where all of its directions are spoilt, the
 /// triangles answer.
 Bounded refined(const WindingTree& tree, SearchSpace space, const Vec3& p, double margin) noexcept {
   const auto decided = [margin](const Bounded& w) { return std::fabs(w.value - 0.5) > w.error + margin; };
   const std::size_t edges = tree.boundary.edges.size();
-  if (edges > few_edges) {
+  if (edges <= few_edges) {
+    const Bounded w = winding_by_short_boundary(tree, space, p);
+    if (decided(w)) return w;
+  } else {
     for (const double opening : {2.0, 4.0}) {
       const Bounded w = winding_number(tree, space, p, opening);
       if (decided(w)) return w;
@@ -200,6 +223,14 @@ Bounded refined(const WindingTree& tree, SearchSpace space, const Vec3& p, doubl
 }
 
 }  // namespace
+
+Bounded winding_within(const WindingTree& tree, SearchSpace space, const Vec3& p, double error) noexcept {
+  Bounded w{0, infinity};
+  if (tree.boundary.edges.size() <= short_boundary) w = winding_by_short_boundary(tree, space, p);
+  for (double opening = 2; !(w.error <= error) && opening <= 16; opening *= 2)
+    w = winding_number(tree, space, p, opening);
+  return w;
+}
 
 bool winds(const WindingTree& tree, SearchSpace space, const Vec3& p) noexcept {
   return refined(tree, space, p, 0).value > 0.5;

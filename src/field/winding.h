@@ -58,6 +58,9 @@ Bounded winding_number(const WindingTree& tree, SearchSpace space, const Vec3& p
 /// but for rounding. O(boundary) and one ray.
 Bounded winding_by_boundary(const WindingTree& tree, SearchSpace space, const Vec3& p) noexcept;
 
+/// w(p), as a rule to within that error.
+Bounded winding_within(const WindingTree& tree, SearchSpace space, const Vec3& p, double error) noexcept;
+
 /// w(p) > 1/2, refined until certain or exact but for rounding; within 2^-80 of a boundary edge's length from
 /// it w is not known to better than a whole turn of that edge, and any side may come back.
 bool winds(const WindingTree& tree, SearchSpace space, const Vec3& p) noexcept;

@@ -10,6 +10,7 @@
 #include "cdfr/store/store.h"
 #include "core/floating_environment.h"
 #include "core/mapped_file.h"
+#include "core/progress.h"
 #include "field/build_field.h"
 #include "field/field_data.h"
 #include "store/check.h"
@@ -156,6 +157,9 @@ Result<StoredField> load(const std::filesystem::path& path) {
   derive_sides(field);
   derive_scan_groups(field);
   index_leaves(field);
+  const Run run;
+  Progress progress(run);
+  field.leaf_windings = leaf_windings(field, progress);
   return StoredField{Field(std::make_shared<const FieldData>(std::move(field))),
                      std::string(unit.begin(), unit.end())};
 }
