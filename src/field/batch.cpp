@@ -19,7 +19,6 @@ class Bundle {
   struct Point {
     Vec3 x;
     bool in_leaf = false;  ///< answered by a leaf's list; others go the ordinary way
-    bool scanned = false;  ///< the candidates are complete
     std::uint32_t leaf = 0;
     Query query;
     LatticePoint place;
@@ -45,7 +44,7 @@ class Bundle {
   void find_leaves() noexcept {
     for (std::size_t i = 0; i < count_; ++i) {
       Point& p = points_[i];
-      p.in_leaf = p.scanned = false;
+      p.in_leaf = false;
       if (!is_finite(p.x)) continue;
       p.query = admitted(field_, p.x);
       p.in_leaf = field_.index.contains(p.query.p);
@@ -76,9 +75,8 @@ class Bundle {
     for (std::size_t i = 0; i < count_; ++i) {
       Point& p = points_[i];
       if (!p.in_leaf) continue;
-      p.scanned =
-          scan(field_.scan_groups.data(), p.place.at, p.located, p.shortlist, p.candidates);
-      if (!p.scanned) continue;
+      scan(field_.scan_space(), p.query.p, p.place.at, p.located, p.shortlist, p.candidates);
+      if (!p.candidates.complete) continue;
       for (std::uint32_t k = 0; k < p.candidates.count; ++k) field_.triangles.prefetch(p.candidates.slots[k]);
     }
   }
@@ -89,7 +87,7 @@ class Bundle {
 };
 
 Finding finding_of(const FieldData& field, const Bundle::Point& p) noexcept {
-  return closest_in_leaf(field, p.query.p, p.located, p.scanned ? &p.candidates : nullptr);
+  return closest_in_leaf(field, p.query.p, p.located, p.candidates);
 }
 
 /// Distances: candidates meet the kernel in lanes.
@@ -102,7 +100,7 @@ class Distances {
     const std::size_t count = p.candidates.count;
     if (!p.in_leaf) {
       out_[place] = signed_distance(field_, p.x);
-    } else if (!p.scanned || count > Contests::most || p.query.scale != 1) {
+    } else if (!p.candidates.complete || count > Contests::most || p.query.scale != 1) {
       out_[place] = signed_distance(field_, p.query, finding_of(field_, p));
     } else {
       (count == 1 ? alone_ : several_)

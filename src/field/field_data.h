@@ -12,6 +12,7 @@
 #include "mesh/bvh.h"
 #include "mesh/triangles.h"
 #include "octree/leaf_index.h"
+#include "octree/scan.h"
 
 namespace cdfr {
 
@@ -35,6 +36,7 @@ struct FieldData {
   std::vector<ScanGroup> scan_groups;
 
   SearchSpace space() const noexcept { return {triangles, bvh}; }
+  ScanSpace scan_space() const noexcept { return {triangles, scan_groups.data(), bvh, tree.lattice}; }
   const Box& bounds() const noexcept { return bvh.nodes[0].box; }
 };
 

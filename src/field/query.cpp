@@ -66,6 +66,15 @@ Finding closest_of(const FieldData& field, const Vec3& p, const Candidates& cand
   return race.finding();
 }
 
+/// What an unfinished scan has found bounds the search from the start: the surface is that close.
+Search<Contenders> search_from(const FieldData& field, const Vec3& p, double reach,
+                               const Candidates& candidates) noexcept {
+  Search search(field.space(), p, reach, Contenders(p, field));
+  const double upper = double{candidates.upper} * field.tree.lattice.edge;
+  search.bound(upper * upper);
+  return search;
+}
+
 /// Bound on the distance from p to any point of the box.
 double reach_of(const Box& box, const Vec3& p) noexcept {
   return (distance_between(p, box.lo) + diagonal_above(box)) * (1 + 8 * unit_roundoff);
@@ -142,13 +151,13 @@ double size_of(const FieldData& field, const Vec3& p) noexcept {
 }
 
 Finding closest_in_leaf(const FieldData& field, const Vec3& p, const Located& leaf,
-                        const Candidates* candidates) noexcept {
+                        const Candidates& candidates) noexcept {
   Finding finding;
-  if (candidates != nullptr) {
-    finding = closest_of(field, p, *candidates);
+  if (candidates.complete) {
+    finding = closest_of(field, p, candidates);
   } else {
     const Lattice& lattice = field.tree.lattice;
-    Search search(field.space(), p, lattice.reach(), Contenders(p, field));
+    Search search = search_from(field, p, lattice.reach(), candidates);
     search.list(leaf.entries, lattice.edge, leaf.from_centre * lattice.edge);
     finding = search.accept().settle(search.reject());
   }
@@ -163,14 +172,13 @@ Finding find_closest(const FieldData& field, const Vec3& p) noexcept {
     Shortlist shortlist;
     shorten(field.scan_groups.data(), leaf, shortlist);
     Candidates candidates;
-    const bool scanned = scan(field.scan_groups.data(), point.at, leaf, shortlist, candidates);
-    return closest_in_leaf(field, p, leaf, scanned ? &candidates : nullptr);
+    scan(field.scan_space(), p, point.at, leaf, shortlist, candidates);
+    return closest_in_leaf(field, p, leaf, candidates);
   }
   Candidates candidates;
-  if (scan(field.scan_groups.data(), field.bvh, field.tree.lattice, p, candidates)) {
-    return closest_of(field, p, candidates);
-  }
-  Search search(field.space(), p, reach_of(field.bounds(), p), Contenders(p, field));
+  scan(field.scan_space(), p, candidates);
+  if (candidates.complete) return closest_of(field, p, candidates);
+  Search search = search_from(field, p, reach_of(field.bounds(), p), candidates);
   search.descend(0);
   return search.accept().settle(search.reject());
 }

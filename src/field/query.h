@@ -20,10 +20,10 @@ struct Query {
 /// Precondition: x is finite.
 Query admitted(const FieldData& field, const Vec3& x) noexcept;
 
-/// In the leaf that p is in: among what a scan has left of its list, or in all of it if there is no such
-/// thing (null).
+/// In the leaf that p is in: among what a scan has left of its list, or, where that is not complete, in all
+/// of it.
 Finding closest_in_leaf(const FieldData& field, const Vec3& p, const Located& leaf,
-                        const Candidates* candidates) noexcept;
+                        const Candidates& candidates) noexcept;
 
 /// By the leaf's list in the domain, by the BVH beyond. Precondition: p is finite, within largest_query,
 /// without dust.

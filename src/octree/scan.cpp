@@ -134,12 +134,14 @@ HWY_INLINE Vector estimated(const Pair& pair, std::size_t lane) {
 /// A scan under way. Nothing but its length branches on what it finds: nobody could foretell that.
 class Scan {
  public:
-  Scan(const ScanGroup* groups, const Vec3& point, Candidates& candidates)
-      : groups_(groups), point_(point), found_(candidates) {
+  /// `at` is the point in edges from the lattice's origin.
+  Scan(const ScanGroup* groups, const Vec3& at, Candidates& candidates)
+      : groups_(groups), at_(at), found_(candidates) {
     found_.count = 0;
+    found_.upper = std::numeric_limits<float>::infinity();
   }
 
-  float upper() const { return upper_; }
+  float upper() const { return found_.upper; }
 
   /// One group or two. False if there is no room.
   bool take(const Entry& first, const Entry* second) {
@@ -173,7 +175,7 @@ class Scan {
   /// Brings the bounds up to date, and drops what they rule out.
   void settle() {
     const float least = hn::GetLane(hn::MinOfLanes(Tag(), least_));
-    upper_ = (std::sqrt(least) + scan_share * reach_ + scan_floor) * (1 + 2 * scan_error);
+    found_.upper = (std::sqrt(least) + scan_share * reach_ + scan_floor) * (1 + 2 * scan_error);
     set_reject();
     const std::uint32_t count = std::exchange(found_.count, 0);
     const Tag d;
@@ -189,7 +191,7 @@ class Scan {
   /// Every group has its say in what it takes to be ruled out. No bound is as large as the largest number,
   /// and no estimate of a lane that is not used as small.
   void set_reject() {
-    const float beyond = (upper_ + scan_share * reach_ + scan_floor) * (1 + 2 * scan_error);
+    const float beyond = (found_.upper + scan_share * reach_ + scan_floor) * (1 + 2 * scan_error);
     reject_ = std::min(beyond * beyond, std::numeric_limits<float>::max());
   }
 
@@ -197,9 +199,9 @@ class Scan {
     const ScanGroup& group = groups_[entry.number()];
     pair.groups[which] = &group;
     const float units = 1 / group.unit;
-    pair.from[which][0] = static_cast<float>(point_.x - group.origin[0]) * units;
-    pair.from[which][1] = static_cast<float>(point_.y - group.origin[1]) * units;
-    pair.from[which][2] = static_cast<float>(point_.z - group.origin[2]) * units;
+    pair.from[which][0] = static_cast<float>(at_.x - group.origin[0]) * units;
+    pair.from[which][1] = static_cast<float>(at_.y - group.origin[1]) * units;
+    pair.from[which][2] = static_cast<float>(at_.z - group.origin[2]) * units;
   }
 
   /// What is finite and not ruled out. Writes up to a vector beyond the end.
@@ -213,11 +215,10 @@ class Scan {
   }
 
   const ScanGroup* groups_;
-  Vec3 point_;
+  Vec3 at_;
   Candidates& found_;
   Vector least_ = hn::Inf(Tag());
   float reach_ = 0;  ///< largest of the groups so far
-  float upper_ = std::numeric_limits<float>::infinity();
   float reject_ = std::numeric_limits<float>::max();
 };
 
@@ -304,93 +305,125 @@ std::uint64_t within(const Shortlist& shortlist, std::size_t count, float limit)
   return entries;
 }
 
-/// The part of a list that a shortlist covers. False if the scan has to be given up.
-bool scan_part(Scan& scan, std::span<const Entry> part, const ScanGroup* groups, const Shortlist& shortlist) {
-  const auto limit = [&] { return std::min(scan.upper() * scan.upper(), std::bit_cast<float>(beyond_list - 1)); };
-  const auto take = [&](std::size_t first, std::size_t second) {
-    return part[first].is_group() && part[second].is_group() &&
-           scan.take(part[first], second == first ? nullptr : &part[second]);
-  };
-  const auto [first, second] = std::pair(shortlist.first, shortlist.second);
-  if (!(shortlist.squared[first] <= limit())) return true;
-  const bool two = part[second].is_group() && shortlist.squared[second] <= limit();
-  if (!take(first, two ? second : first)) return false;
-  scan.settle();
-  std::uint64_t left = within(shortlist, part.size(), limit());
-  left &= ~(std::uint64_t{1} << first | std::uint64_t{two} << second);
-  for (std::uint64_t ahead = left; ahead != 0; ahead &= ahead - 1) {
-    const Entry& entry = part[static_cast<std::size_t>(std::countr_zero(ahead))];
-    if (entry.is_group()) prefetch(groups[entry.number()]);
-  }
-  while (left != 0) {
-    const auto one = static_cast<std::size_t>(std::countr_zero(left));
-    left &= left - 1;
-    const auto other = left != 0 ? static_cast<std::size_t>(std::countr_zero(left)) : one;
-    left &= left - 1;
-    if (!take(one, other)) return false;
-  }
-  return true;
-}
-
-bool scan_here(const ScanGroup* groups, const Vec3& point, const Located& leaf, Shortlist& shortlist,
-               Candidates& candidates) {
-  Scan scan(groups, point, candidates);
-  std::span<const Entry> left = leaf.entries;
-  while (!left.empty() && left[0].distance() - leaf.from_centre <= scan.upper()) {
-    const auto part = left.first(std::min(left.size(), Shortlist::most));
-    if (part.data() != leaf.entries.data()) shorten_part(part, leaf, shortlist);
-    if (!scan_part(scan, part, groups, shortlist)) return false;
-    scan.settle();
-    left = left.subspan(part.size());
-  }
-  return true;
-}
-
-bool scan_all_here(const ScanGroup* groups, const Bvh& bvh, const Lattice& lattice, const Vec3& p,
-                   Candidates& candidates) {
+/// Everything below a BVH node, nearer child first. False if there is no room.
+bool scan_below(Scan& scan, const ScanSpace& space, const Vec3& p, std::uint32_t root) {
   struct Pending {
     std::uint32_t node;
     double squared;
   };
   const auto pending = [&](std::uint32_t node) {
-    return Pending{node, squared_distance_below(p, bvh.nodes[node].box)};
+    return Pending{node, squared_distance_below(p, space.bvh.nodes[node].box)};
   };
-  const double scale = 1 / lattice.edge;  // exact: a power of two
-  const Vec3& o = lattice.origin;
-  Scan scan(groups, {(p.x - o.x) * scale, (p.y - o.y) * scale, (p.z - o.z) * scale}, candidates);
-  double limit = std::numeric_limits<double>::infinity();
+  double limit = HUGE_VAL;
+  const auto set_limit = [&] {
+    const double upper = double{scan.upper()} * space.lattice.edge;
+    limit = upper * upper * (1 + 4 * unit_roundoff);
+  };
   const auto take = [&](const Entry& first, const Entry* second) {
     if (!scan.take(first, second)) return false;
     scan.settle();
-    const double upper = double{scan.upper()} * lattice.edge;
-    limit = upper * upper;
+    set_limit();
     return true;
   };
+  set_limit();
   std::optional<Entry> held;
   std::array<Pending, bvh_depth_limit> stack;
   std::size_t size = 0;
-  for (Pending next = pending(0);;) {
+  for (Pending next = pending(root);;) {
     if (next.squared <= limit) {
-      const BvhNode& node = bvh.nodes[next.node];
+      const BvhNode& node = space.bvh.nodes[next.node];
       if (!node.is_group()) {
-        Pending near = pending(bvh.left(next.node)), far = pending(bvh.right(next.node));
+        Pending near = pending(space.bvh.left(next.node)), far = pending(space.bvh.right(next.node));
         if (far.squared < near.squared) std::swap(near, far);
         stack[size++] = far;
         next = near;
         continue;
       }
-      const Entry entry = Entry::of_group(node.first_group, 0, 0xff);
+      const auto own = 0xffU >> (group_size - space.triangles.lanes(node.first_group));
+      const Entry entry = Entry::of_group(node.first_group, 0, static_cast<std::uint8_t>(own));
       if (!held) {
         held = entry;
-        prefetch(groups[entry.number()]);
+        prefetch(space.groups[entry.number()]);
       } else if (!take(*std::exchange(held, std::nullopt), &entry)) {
         return false;
       }
     }
-    if (size == 0) break;
+    if (size == 0) return !held || take(*held, nullptr);
     next = stack[--size];
   }
-  return !held || take(*held, nullptr);
+}
+
+/// One scan through a list.
+class ListScan {
+ public:
+  ListScan(const ScanSpace& space, const Vec3& p, const Vec3& at, Candidates& candidates)
+      : space_(space), p_(p), scan_(space.groups, at, candidates) {}
+
+  /// False if there is no room.
+  bool run(const Located& leaf, const Shortlist& shortlist) {
+    std::span<const Entry> left = leaf.entries;
+    for (bool begun = false; !left.empty() && left[0].distance() - leaf.from_centre <= scan_.upper();) {
+      const auto part = left.first(std::min(left.size(), Shortlist::most));
+      Shortlist next;
+      if (begun) shorten_part(part, leaf, next);
+      if (!run_part(part, begun ? next : shortlist)) return false;
+      scan_.settle();
+      begun = true;
+      left = left.subspan(part.size());
+    }
+    return true;
+  }
+
+ private:
+  /// What no bound of an entry exceeds, nor what lies beyond the list goes below.
+  float limit() const {
+    return std::min(scan_.upper() * scan_.upper(), std::bit_cast<float>(beyond_list - 1));
+  }
+
+  bool take(const Entry& first, const Entry* second) {
+    return first.is_group() ? scan_.take(first, second) : scan_below(scan_, space_, p_, first.number());
+  }
+
+  bool run_part(std::span<const Entry> part, const Shortlist& shortlist) {
+    const auto [first, second] = std::pair(shortlist.first, shortlist.second);
+    if (!(shortlist.squared[first] <= limit())) return true;
+    const bool two = first != second && part[first].is_group() && part[second].is_group() &&
+                     shortlist.squared[second] <= limit();
+    if (!take(part[first], two ? &part[second] : nullptr)) return false;
+    scan_.settle();
+    std::uint64_t left = within(shortlist, part.size(), limit());
+    left &= ~(std::uint64_t{1} << first | std::uint64_t{two} << second);
+    for (std::uint64_t ahead = left; ahead != 0; ahead &= ahead - 1) {
+      const Entry& entry = part[static_cast<std::size_t>(std::countr_zero(ahead))];
+      if (entry.is_group()) prefetch(space_.groups[entry.number()]);
+    }
+    const Entry* held = nullptr;
+    for (; left != 0; left &= left - 1) {
+      const Entry& entry = part[static_cast<std::size_t>(std::countr_zero(left))];
+      if (held == nullptr && entry.is_group()) {
+        held = &entry;
+      } else if (!take(entry, entry.is_group() ? std::exchange(held, nullptr) : nullptr)) {
+        return false;
+      }
+    }
+    return held == nullptr || take(*held, nullptr);
+  }
+
+  const ScanSpace& space_;
+  const Vec3& p_;
+  Scan scan_;
+};
+
+bool scan_here(const ScanSpace& space, const Vec3& p, const Vec3& at, const Located& leaf,
+               const Shortlist& shortlist, Candidates& candidates) {
+  return ListScan(space, p, at, candidates).run(leaf, shortlist);
+}
+
+bool scan_all_here(const ScanSpace& space, const Vec3& p, Candidates& candidates) {
+  const double scale = 1 / space.lattice.edge;  // exact: a power of two
+  const Vec3& o = space.lattice.origin;
+  Scan scan(space.groups, {(p.x - o.x) * scale, (p.y - o.y) * scale, (p.z - o.z) * scale}, candidates);
+  return scan_below(scan, space, p, 0);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -415,18 +448,18 @@ void shorten(const ScanGroup* groups, const Located& leaf, Shortlist& shortlist)
   HWY_DYNAMIC_DISPATCH(shorten_here)(groups, leaf, shortlist);
 }
 
-bool scan(const ScanGroup* groups, const Vec3& point, const Located& leaf, Shortlist& shortlist,
-          Candidates& candidates) noexcept {
-  return HWY_DYNAMIC_DISPATCH(scan_here)(groups, point, leaf, shortlist, candidates);
+void scan(const ScanSpace& space, const Vec3& p, const Vec3& at, const Located& leaf,
+          const Shortlist& shortlist, Candidates& candidates) noexcept {
+  candidates.complete = HWY_DYNAMIC_DISPATCH(scan_here)(space, p, at, leaf, shortlist, candidates);
 }
 
-bool scan(const ScanGroup* groups, const Bvh& bvh, const Lattice& lattice, const Vec3& p,
-          Candidates& candidates) noexcept {
-  const Box domain = lattice.domain();
+void scan(const ScanSpace& space, const Vec3& p, Candidates& candidates) noexcept {
+  const Box domain = space.lattice.domain();
   const Vec3 middle{(domain.lo.x + domain.hi.x) / 2, (domain.lo.y + domain.hi.y) / 2,
                     (domain.lo.z + domain.hi.z) / 2};
-  if (!(distance_between(p, middle) <= farthest * lattice.edge)) return false;
-  return HWY_DYNAMIC_DISPATCH(scan_all_here)(groups, bvh, lattice, p, candidates);
+  candidates.upper = std::numeric_limits<float>::infinity();
+  candidates.complete = distance_between(p, middle) <= farthest * space.lattice.edge &&
+                        HWY_DYNAMIC_DISPATCH(scan_all_here)(space, p, candidates);
 }
 
 }  // namespace cdfr

@@ -22,6 +22,14 @@ struct Shortlist {
   std::uint32_t first, second;
 };
 
+/// The mesh as a scan reads it.
+struct ScanSpace {
+  const TriangleStore& triangles;
+  const ScanGroup* groups;
+  const Bvh& bvh;
+  const Lattice& lattice;
+};
+
 /// The list's beginning, or nothing of it if it is empty. Calls for the groups that are read first.
 void shorten(const ScanGroup* groups, const Located& leaf, Shortlist& shortlist) noexcept;
 
@@ -33,12 +41,15 @@ struct Candidates {
   std::array<std::uint32_t, room> slots;
   std::array<float, room> squared;  ///< estimated, in edges
   std::uint32_t count;              ///< of the above that are set
+  float upper;                      ///< bound on the least distance, in edges
+  /// None is missing. Else more triangles are about equally close than there is room for, or the point is too
+  /// far away to tell them apart, and a search in double answers (search.h).
+  bool complete;
 };
 
 /// Fills `candidates` with every triangle of the list whose computed distance from the point is least, or is
-/// as small but for rounding, and with few others. False, and nothing of use in `candidates`, where the list
-/// holds BVH nodes that matter or more triangles are about equally close than there is room for: then a
-/// search in double answers (search.h). `shortlist` is the leaf's for that point, and is used up.
+/// as small but for rounding, and with few others. `at` is p in edges from the lattice's origin, and
+/// `shortlist` is the leaf's for it.
 ///
 /// The group whose lower bound is least comes first: it most often brings the upper bound U on the least
 /// distance close to what it will be. Then only entries whose own bound is within U are read, in the order of
@@ -49,13 +60,11 @@ struct Candidates {
 /// the roundings of U and of that threshold, and with 2^-48 edges what separates computed distances that tie
 /// (2^-88 of the largest coordinate, below 2^-54 edges). Which others come along differs with the instruction
 /// set; they lose in double-double, so answers do not.
-bool scan(const ScanGroup* groups, const Vec3& point, const Located& leaf, Shortlist& shortlist,
-          Candidates& candidates) noexcept;
+void scan(const ScanSpace& space, const Vec3& p, const Vec3& at, const Located& leaf,
+          const Shortlist& shortlist, Candidates& candidates) noexcept;
 
-/// The same for all of the mesh, by its BVH, nearer children first, for a point that may lie outside the brick:
-/// p rounds by 2^-53 of its distance more, which is within the bound's share of that. False too where it is so
-/// far away that little of the mesh could be told apart.
-bool scan(const ScanGroup* groups, const Bvh& bvh, const Lattice& lattice, const Vec3& p,
-          Candidates& candidates) noexcept;
+/// The same for all of the mesh, for a point that may lie outside the brick: p rounds by 2^-53 of its distance
+/// more, which is within the bound's share of that.
+void scan(const ScanSpace& space, const Vec3& p, Candidates& candidates) noexcept;
 
 }  // namespace cdfr
