@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <span>
 
 #include "core/parallel.h"
 #include "geometry/box_distance.h"
@@ -10,14 +12,19 @@
 namespace cdfr {
 namespace {
 
-/// About a millisecond of work.
-constexpr std::size_t chunk_size = 512;
+/// Groups a task looks at, neighbours as a rule: about a millisecond of work.
+constexpr std::size_t chunk_size = 64;
+
+std::uint32_t slot_of(std::uint32_t group, std::uint32_t lane) noexcept {
+  return group * static_cast<std::uint32_t>(group_size) + lane;
+}
 
 ContactTriangle triangle_at(const TriangleStore& triangles, std::uint32_t slot) noexcept {
   const TriangleGroup& group = triangles.groups[slot / group_size];
   const std::size_t lane = slot % group_size;
   return {{group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)},
-          triangles.records[slot].vertices};
+          triangles.records[slot].vertices,
+          group.normal(lane)};
 }
 
 Box box_of(const std::array<Vec3, 3>& t) noexcept {
@@ -46,46 +53,67 @@ unsigned overlapping_lanes(const TriangleGroup& group, const Box& box) noexcept 
   return bits;
 }
 
+/// The triangles of one group, each against all others.
 class Search {
  public:
-  Search(SearchSpace space, std::uint32_t slot) noexcept
-      : space_(space), slot_(slot), triangle_(triangle_at(space.triangles, slot)), probe_(triangle_) {}
+  Search(SearchSpace space, std::uint32_t group, std::span<std::uint8_t> contacts) noexcept
+      : space_(space), group_(group), contacts_(contacts) {
+    for (std::uint32_t lane = 0; lane < space.triangles.lanes(group); ++lane) {
+      const ContactTriangle triangle = triangle_at(space.triangles, slot_of(group, lane));
+      probes_[lane] = ContactProbe(triangle);
+      boxes_[lane] = box_of(triangle.corners);
+      box_ = lane == 0 ? boxes_[0] : united(box_, boxes_[lane]);
+      if (probes_[lane].has_area()) open_ |= 1U << lane;
+    }
+  }
 
-  bool finds_contact() const noexcept {
-    if (!probe_.has_area()) return false;
-    const Box box = box_of(triangle_.corners);
-    const std::vector<BvhNode>& nodes = space_.bvh.nodes;
-    return !walk(
-        space_.bvh, 0, [&](std::uint32_t index) { return overlap(box, nodes[index].box); },
-        [&](std::uint32_t index) { return !meets_one_of(nodes[index].first_group, box); });
+  void run() {
+    walk(
+        space_.bvh, 0, [&](std::uint32_t index) { return overlap(box_, space_.bvh.nodes[index].box); },
+        [&](std::uint32_t index) {
+          look_at(space_.bvh.nodes[index].first_group);
+          return open_ != 0;
+        });
   }
 
  private:
-  bool meets_one_of(std::uint32_t number, const Box& box) const noexcept {
-    unsigned lanes = overlapping_lanes(space_.triangles.groups[number], box);
-    lanes &= (1U << space_.triangles.lanes(number)) - 1;
-    for (std::uint32_t other = number * group_size; lanes != 0; lanes >>= 1, ++other) {
-      if ((lanes & 1) == 0 || other == slot_) continue;
-      if (probe_.meets(triangle_at(space_.triangles, other))) return true;
+  void look_at(std::uint32_t number) {
+    const TriangleGroup& group = space_.triangles.groups[number];
+    const unsigned all = (1U << space_.triangles.lanes(number)) - 1;
+    for (unsigned left = open_; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+      if (meets_one_of(lane, number, overlapping_lanes(group, boxes_[lane]) & all)) open_ &= ~(1U << lane);
+    }
+  }
+
+  bool meets_one_of(std::uint32_t lane, std::uint32_t number, unsigned lanes) {
+    const std::uint32_t own = slot_of(group_, lane);
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const std::uint32_t other = slot_of(number, static_cast<std::uint32_t>(std::countr_zero(lanes)));
+      if (other == own || !probes_[lane].meets(triangle_at(space_.triangles, other))) continue;
+      contacts_[own] = 1;
+      return true;
     }
     return false;
   }
 
   SearchSpace space_;
-  std::uint32_t slot_;
-  ContactTriangle triangle_;
-  ContactProbe probe_;
+  std::uint32_t group_;
+  std::span<std::uint8_t> contacts_;
+  std::array<ContactProbe, group_size> probes_;
+  std::array<Box, group_size> boxes_;
+  Box box_;
+  unsigned open_ = 0;  ///< a bit for each triangle with an area that has met none so far
 };
 
 }  // namespace
 
 std::vector<std::uint8_t> self_contacts(SearchSpace space, Progress& progress) {
   std::vector<std::uint8_t> contacts(space.triangles.size(), 0);
-  for_chunks(contacts.size(), chunk_size, [&](std::size_t first, std::size_t end) {
+  for_chunks(space.triangles.groups.size(), chunk_size, [&](std::size_t first, std::size_t end) {
     if (!progress.poll()) return;
-    for (std::size_t slot = first; slot < end; ++slot) {
-      contacts[slot] = Search(space, static_cast<std::uint32_t>(slot)).finds_contact() ? 1 : 0;
-    }
+    for (std::size_t group = first; group < end; ++group)
+      Search(space, static_cast<std::uint32_t>(group), contacts).run();
   });
   return contacts;
 }
