@@ -24,6 +24,7 @@ class Bundle {
     Query query;
     LatticePoint place;
     Located located;
+    Shortlist shortlist;
     Candidates candidates;
   };
 
@@ -35,7 +36,7 @@ class Bundle {
     for (std::size_t i = 0; i < count_; ++i) points_[i].x = x[first + i];
     find_leaves();
     find_lists();
-    call_for_groups();
+    shorten_lists();
     scan_lists();
     return {points_.data(), count_};
   }
@@ -64,9 +65,10 @@ class Bundle {
     }
   }
 
-  void call_for_groups() const noexcept {
+  void shorten_lists() noexcept {
     for (std::size_t i = 0; i < count_; ++i) {
-      if (points_[i].in_leaf) prefetch(field_.scan_groups.data(), points_[i].located.entries, 0, scan_ahead);
+      Point& p = points_[i];
+      if (p.in_leaf) shorten(field_.scan_groups.data(), p.located, p.shortlist);
     }
   }
 
@@ -75,7 +77,7 @@ class Bundle {
       Point& p = points_[i];
       if (!p.in_leaf) continue;
       p.scanned =
-          scan(field_.scan_groups.data(), p.located.entries, p.place.at, p.located.from_centre, p.candidates);
+          scan(field_.scan_groups.data(), p.place.at, p.located, p.shortlist, p.candidates);
       if (!p.scanned) continue;
       for (std::uint32_t k = 0; k < p.candidates.count; ++k) field_.triangles.prefetch(p.candidates.slots[k]);
     }

@@ -44,7 +44,7 @@ double pull(const Vec3& a, const Vec3& b, const Vec3& centre, double radius, int
 Boundary find_boundary(SearchSpace space, std::size_t edge_count) {
   std::vector<std::int32_t> balance = balances(space.triangles, edge_count);
   Boundary boundary;
-  const std::size_t groups = space.triangles.groups.size();
+  const std::size_t groups = space.triangles.group_count();
   std::vector<double> group_length(groups);
   for (std::uint32_t slot = 0; slot < space.triangles.size(); ++slot) {
     if (slot % group_size == 0) boundary.first.push_back(static_cast<std::uint32_t>(boundary.edges.size()));

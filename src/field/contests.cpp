@@ -11,7 +11,7 @@ void Contests::add(std::size_t place, const Vec3& p, Side side,
   if (used_ + slots.size() > lane_count) settle();
   const auto first = used_;
   for (const std::uint32_t slot : slots) {
-    const TriangleShape shape = field_.triangles.shape(slot);
+    const TriangleShape& shape = field_.triangles.shape(slot);
     if (rounded(shape.normal) == Vec3{}) {
       used_ = first;
       out_[place] = race(p, side, slots);

@@ -156,8 +156,10 @@ Finding find_closest(const FieldData& field, const Vec3& p) noexcept {
   if (field.index.contains(p)) {
     const LatticePoint point = field.index.place(p);
     const Located leaf = field.index.at(point, field.index.leaf(point));
+    Shortlist shortlist;
+    shorten(field.scan_groups.data(), leaf, shortlist);
     Candidates candidates;
-    const bool scanned = scan(field.scan_groups.data(), leaf.entries, point.at, leaf.from_centre, candidates);
+    const bool scanned = scan(field.scan_groups.data(), point.at, leaf, shortlist, candidates);
     return closest_in_leaf(field, p, leaf, scanned ? &candidates : nullptr);
   }
   Search search(field.space(), p, reach_of(field.bounds(), p), Contenders(p, field));
@@ -171,7 +173,7 @@ Finding find_closest(const FieldData& field, const Vec3& p) noexcept {
 Finding find_closest_brute(const FieldData& field, const Vec3& p) noexcept {
   const TriangleStore& triangles = field.triangles;
   const auto corner = [&](std::uint32_t slot, std::size_t k) {
-    return triangles.groups[slot / group_size].vertex(k, slot % group_size);
+    return triangles.shape(slot).vertices[k];
   };
   double radius = std::numeric_limits<double>::infinity();
   for (std::uint32_t slot = 0; slot < triangles.size(); ++slot) {
@@ -209,13 +211,13 @@ double unsigned_distance(const FieldData& field, const Vec3& x) noexcept {
 Closest closest_point(const FieldData& field, const Query& query, const Finding& finding) noexcept {
   Closest result;
   const Winner& winner = finding.winner;
-  const TriangleShape shape = field.triangles.shape(winner.slot);
+  const TriangleShape& shape = field.triangles.shape(winner.slot);
   int side = 1;
   result.distance = signed_by(field, query, finding, side);
   result.point = foot_point(query, winner, shape);
   result.gradient = gradient_of(field, winner, shape, side);
   result.triangle = winner.number;
-  result.patch = field.triangles.records[winner.slot].patch;
+  result.patch = field.triangles.exact[winner.slot].patch;
   const TrianglePlace place = winner.foot.place;
   result.feature = place == 0 ? Feature::face : (place < 4 ? Feature::edge : Feature::vertex);
   result.element = static_cast<std::uint8_t>(place == 0 ? 0 : (place - 1) % 3);

@@ -14,7 +14,7 @@ bool beats(const Winner& a, const Winner& b) noexcept {
 }  // namespace
 
 void Race::challenge(std::uint32_t slot) noexcept {
-  const TriangleShape shape = triangles_.shape(slot);
+  const TriangleShape& shape = triangles_.shape(slot);
   const TriangleRecord& record = triangles_.records[slot];
   const PlaceEstimate estimate = estimate_place(p_, shape);
   const bool has_area = rounded(shape.normal) != Vec3{};

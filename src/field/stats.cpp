@@ -18,7 +18,7 @@ std::uint64_t bytes_of(const std::vector<T>& v) noexcept {
 }
 
 std::uint64_t total_bytes(const FieldData& field) noexcept {
-  std::uint64_t bytes = sizeof field + bytes_of(field.triangles.groups) + bytes_of(field.triangles.records) +
+  std::uint64_t bytes = sizeof field + bytes_of(field.triangles.exact) + bytes_of(field.triangles.records) +
                         bytes_of(field.bvh.nodes) + bytes_of(field.pseudonormals.edges) +
                         bytes_of(field.pseudonormals.vertices) + bytes_of(field.winding.nodes) +
                         bytes_of(field.winding.boundary.edges) + bytes_of(field.winding.boundary.first) +

@@ -142,9 +142,9 @@ Bounded winding_number(const WindingTree& tree, SearchSpace space, const Vec3& p
   };
   const auto add_group = [&](std::uint32_t index) {
     const std::uint32_t number = space.bvh.nodes[index].first_group;
-    const TriangleGroup& group = space.triangles.groups[number];
-    for (std::size_t lane = 0; lane < space.triangles.lanes(number); ++lane) {
-      add(solid_angle(p, {group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)}));
+    const std::uint32_t first = number * std::uint32_t{group_size};
+    for (std::uint32_t slot = first; slot < first + space.triangles.lanes(number); ++slot) {
+      add(solid_angle(p, space.triangles.shape(slot).vertices));
     }
     return true;
   };

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "geometry/certain_foot.h"
 #include "geometry/offset.h"
 #include "geometry/orientation.h"
 #include "geometry/planar_orientation.h"
@@ -156,6 +157,8 @@ Foot decided(const Vec3& p, const TriangleShape& triangle, const PlaceEstimate& 
 
 Foot measure(const Vec3& p, const TriangleShape& triangle, const PlaceEstimate& estimate) noexcept {
   const TrianglePlace place = estimate.place;
+  Foot foot;
+  if (place != unsure_place && measure_certain(place, p, triangle, foot)) return foot;
   if (place == 0) return on_face(p, triangle);
   if (place == unsure_place) return decided(p, triangle, estimate);
   if (place < 4) return on_edge(p, triangle, place - 1);

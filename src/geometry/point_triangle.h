@@ -5,9 +5,9 @@
 /// is closest.
 ///
 /// Derivation. Let R be the largest distance from p to a vertex. Differences p - v and v - v' are exact in
-/// double-double. A dot product of those has an error below 24u^2 of the product of lengths (7u^2 a product,
-/// 3u^2 a sum, three terms), so with |e| <= 2R:
-///  - vertex: relative error of the squared distance below 20u^2;
+/// double-double. A dot product of those has an error below 24u^2 of the product of lengths
+/// (double_double.h), so with |e| <= 2R:
+///  - vertex: relative error of the squared distance below 24u^2;
 ///  - edge: the parameter t is off by less than 2^-98 R/|e|, the perpendicular p - v - t e by less than 2^-97
 ///  R;
 ///  - face: the normal is good to 2^-98 (unit_normal.h), the height to 2^-96 R.
@@ -49,8 +49,8 @@ struct Foot {
   TrianglePlace place = 0;
 };
 
-/// Preconditions: coordinates in the range of query_range.h. No allocation; about 50 ns on a face, 150 ns on
-/// an edge, 75 ns at a corner.
+/// Preconditions: coordinates in the range of query_range.h. No allocation; about 40 ns on a face, 100 ns on
+/// an edge, 50 ns at a corner.
 Foot measure(const Vec3& p, const TriangleShape& triangle) noexcept;
 
 /// The same, by what estimate_place said of the two.

@@ -146,13 +146,13 @@ std::optional<int> winding_along(const Ray& ray, SearchSpace space, std::uint32_
   const auto enter = [&](std::uint32_t index) { return may_meet(ray, space.bvh.nodes[index].box); };
   const auto count = [&](std::uint32_t index) {
     const std::uint32_t number = space.bvh.nodes[index].first_group;
-    const TriangleGroup& group = space.triangles.groups[number];
-    for (std::size_t lane = 0; lane < space.triangles.lanes(number); ++lane) {
+    const std::uint32_t first = number * std::uint32_t{group_size};
+    for (std::uint32_t slot = first; slot < first + space.triangles.lanes(number); ++slot) {
       // The border of a triangle of no area covers each of its points as often one way as the other, so those
       // that have an area close up without it.
-      if (number * group_size + lane == except || group.normal(lane) == Vec3{}) continue;
-      const std::array<Vec3, 3> t{group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)};
-      const std::optional<int> c = Crossing(ray, t).counted();
+      const TriangleShape& shape = space.triangles.shape(slot);
+      if (slot == except || rounded(shape.normal) == Vec3{}) continue;
+      const std::optional<int> c = Crossing(ray, shape.vertices).counted();
       if (!c) return false;
       winding += *c;
     }

@@ -20,11 +20,8 @@ std::uint32_t slot_of(std::uint32_t group, std::uint32_t lane) noexcept {
 }
 
 ContactTriangle triangle_at(const TriangleStore& triangles, std::uint32_t slot) noexcept {
-  const TriangleGroup& group = triangles.groups[slot / group_size];
-  const std::size_t lane = slot % group_size;
-  return {{group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)},
-          triangles.records[slot].vertices,
-          group.normal(lane)};
+  const TriangleShape& shape = triangles.shape(slot);
+  return {shape.vertices, triangles.records[slot].vertices, rounded(shape.normal)};
 }
 
 Box box_of(const std::array<Vec3, 3>& t) noexcept {
@@ -78,7 +75,7 @@ class Search {
 
  private:
   void look_at(std::uint32_t number) {
-    const TriangleGroup& group = space_.triangles.groups[number];
+    const TriangleGroup group = space_.triangles.group(number);
     const unsigned all = (1U << space_.triangles.lanes(number)) - 1;
     for (unsigned left = open_; left != 0; left &= left - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
@@ -110,7 +107,7 @@ class Search {
 
 std::vector<std::uint8_t> self_contacts(SearchSpace space, Progress& progress) {
   std::vector<std::uint8_t> contacts(space.triangles.size(), 0);
-  for_chunks(space.triangles.groups.size(), chunk_size, [&](std::size_t first, std::size_t end) {
+  for_chunks(space.triangles.group_count(), chunk_size, [&](std::size_t first, std::size_t end) {
     if (!progress.poll()) return;
     for (std::size_t group = first; group < end; ++group)
       Search(space, static_cast<std::uint32_t>(group), contacts).run();

@@ -1,47 +1,41 @@
 #include "mesh/triangles.h"
 
-#include <tbb/parallel_for.h>
+#include <algorithm>
 
+#include "core/parallel.h"
 #include "geometry/unit_normal.h"
 
 namespace cdfr {
-namespace {
 
-void place(TriangleStore& store, std::size_t slot, const std::array<Vec3, 3>& corners,
-           const DoubleDouble3& normal) {
-  TriangleGroup& group = store.groups[slot / group_size];
-  const std::size_t lane = slot % group_size;
-  for (int corner = 0; corner < 3; ++corner) {
-    const Vec3& v = corners[corner];
-    const double xyz[3] = {v.x, v.y, v.z};
-    for (int axis = 0; axis < 3; ++axis) group.vertices[corner][axis][lane] = xyz[axis];
+TriangleGroup TriangleStore::group(std::uint32_t number) const noexcept {
+  TriangleGroup group;
+  for (std::size_t lane = 0; lane < group_size; ++lane) {
+    const TriangleShape& t = exact[std::min(std::size_t{number} * group_size + lane, exact.size() - 1)].shape;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      group.vertices[corner][0][lane] = t.vertices[corner].x;
+      group.vertices[corner][1][lane] = t.vertices[corner].y;
+      group.vertices[corner][2][lane] = t.vertices[corner].z;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) group.normals[axis][lane] = t.normal[axis].hi;
   }
-  for (int axis = 0; axis < 3; ++axis) group.normals[axis][lane] = normal[axis].hi;
+  return group;
 }
-
-}  // namespace
 
 TriangleStore gather_triangles(MeshView mesh, const Topology& topology,
                                const std::vector<std::uint32_t>& order) {
   TriangleStore store;
-  const std::size_t count = order.size();
-  store.groups.resize((count + group_size - 1) / group_size);
-  store.records.resize(count);
-  tbb::parallel_for(std::size_t{0}, store.groups.size(), [&](std::size_t g) {
-    for (std::size_t slot = g * group_size; slot < (g + 1) * group_size; ++slot) {
-      const std::uint32_t number = order[slot < count ? slot : count - 1];
+  store.exact.resize(order.size());
+  store.records.resize(order.size());
+  constexpr std::size_t chunk = 1024;
+  for_chunks(order.size(), chunk, [&](std::size_t first, std::size_t end) {
+    for (std::size_t slot = first; slot < end; ++slot) {
+      const std::uint32_t number = order[slot];
       const Triangle& t = mesh.triangles[number];
       const std::array<Vec3, 3> corners{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
-      const DoubleDouble3 normal = unit_normal(corners[0], corners[1], corners[2]);
-      place(store, slot, corners, normal);
-      if (slot >= count) continue;
-      store.records[slot] = {{normal[0].lo, normal[1].lo, normal[2].lo},
-                             topology.triangles[number],
-                             topology.edges_of[number],
-                             number,
-                             mesh.patches.empty() ? 0 : mesh.patches[number],
-                             Sides::unknown,
-                             {}};
+      store.exact[slot] = {{corners, unit_normal(corners[0], corners[1], corners[2])},
+                           mesh.patches.empty() ? 0 : mesh.patches[number],
+                           0};
+      store.records[slot] = {topology.triangles[number], topology.edges_of[number], number, Sides::unknown, {}};
     }
   });
   return store;

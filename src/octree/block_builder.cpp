@@ -43,9 +43,9 @@ bool BlockBuilder::may_cross(const OpenCell& cell) const {
   const auto enter = [&](std::uint32_t index) { return overlap(space_.bvh.nodes[index].box, box); };
   const auto misses = [&](std::uint32_t index) {
     const std::uint32_t number = space_.bvh.nodes[index].first_group;
-    const TriangleGroup& group = space_.triangles.groups[number];
-    for (std::size_t lane = 0; lane < space_.triangles.lanes(number); ++lane) {
-      if (may_touch({group.vertex(0, lane), group.vertex(1, lane), group.vertex(2, lane)}, box)) return false;
+    const std::uint32_t first = number * std::uint32_t{group_size};
+    for (std::uint32_t slot = first; slot < first + space_.triangles.lanes(number); ++slot) {
+      if (may_touch(space_.triangles.shape(slot).vertices, box)) return false;
     }
     return true;
   };
@@ -65,11 +65,9 @@ std::vector<Entry> BlockBuilder::listed(const std::vector<Candidate>& candidates
   std::vector<Entry> list;
   list.reserve(candidates.size());
   for (const Candidate& c : candidates) {
-    // One part in 2^50 less covers the root and the division by a power of two's neighbours.
-    const double distance = std::sqrt(std::max(c.squared, 0.0)) * (1 - 0x1p-50) / lattice_.edge;
     const BvhNode& node = space_.bvh.nodes[c.node];
-    list.push_back(node.is_group() ? Entry::of_group(node.first_group, distance, c.lanes)
-                                   : Entry::of_node(c.node, distance));
+    list.push_back(node.is_group() ? Entry::of_group(node.first_group, c.distance, c.lanes, c.bound)
+                                   : Entry::of_node(c.node, c.distance, c.bound));
   }
   std::sort(list.begin(), list.end());
   return list;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cdfr/octree/leaf.h"
+#include "octree/entry_bound.h"
 #include "octree/key.h"
 #include "octree/lattice.h"
 
@@ -14,23 +15,27 @@ namespace cdfr {
 /// One CDD tuple of a leaf's influence list: a group of triangles, or a BVH node above several groups, and a
 /// distance from the leaf's centre that none of its kept triangles goes below, in units of the lattice's
 /// edge. Eight bits of the distance's mantissa give way to the lanes: bit i says that triangle i of the group
-/// may win in this leaf. All lanes are set for nodes.
+/// may win in this leaf. All lanes are set for nodes. `bound` says more of where in the leaf they are closer.
 class Entry {
  public:
   Entry() = default;
   /// `distance` is rounded down.
-  static Entry of_group(std::uint32_t group, double distance, std::uint8_t lanes) noexcept {
-    return {group, distance, lanes};
+  static Entry of_group(std::uint32_t group, double distance, std::uint8_t lanes,
+                        EntryBound bound = {}) noexcept {
+    return {group, distance, lanes, bound};
   }
-  static Entry of_node(std::uint32_t node, double distance) noexcept {
-    return {node | node_bit, distance, 0xff};
+  static Entry of_node(std::uint32_t node, double distance, EntryBound bound = {}) noexcept {
+    return {node | node_bit, distance, 0xff, bound};
   }
+  /// The distance as an entry keeps it.
+  static float kept(double distance) noexcept { return Entry(0, distance, 0, {}).distance(); }
 
   bool is_group() const noexcept { return (place_ & node_bit) == 0; }
   /// Of the group or of the node.
   std::uint32_t number() const noexcept { return place_ & ~node_bit; }
   std::uint8_t lanes() const noexcept { return static_cast<std::uint8_t>(packed_ & 0xffU); }
   float distance() const noexcept { return std::bit_cast<float>(packed_ & ~0xffU); }
+  const EntryBound& bound() const noexcept { return bound_; }
 
   /// The order of a list.
   friend bool operator<(const Entry& a, const Entry& b) noexcept {
@@ -39,7 +44,8 @@ class Entry {
 
  private:
   static constexpr std::uint32_t node_bit = 0x80000000U;
-  Entry(std::uint32_t place, double distance, std::uint8_t lanes) noexcept : place_(place) {
+  Entry(std::uint32_t place, double distance, std::uint8_t lanes, EntryBound bound) noexcept
+      : place_(place), bound_(bound) {
     auto f = static_cast<float>(distance);
     auto bits = std::bit_cast<std::uint32_t>(f);
     if (bits != 0 && static_cast<double>(f) > distance) --bits;
@@ -48,7 +54,9 @@ class Entry {
 
   std::uint32_t place_ = 0;
   std::uint32_t packed_ = 0;
+  EntryBound bound_;
 };
+static_assert(sizeof(Entry) == 12);
 
 /// A leaf's list is entries[first] .. entries[first + count - 1] of its block, ascending as entries
 /// compare.

@@ -38,15 +38,27 @@ HWY_INLINE void sift(const DominanceThresholds& thresholds, const SampleDistance
   const auto centre = hn::Load(d, distances.squared[centre_sample(child)].data() + first);
   const double least = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(left, centre, hn::Inf(d))));
   kept.least_squared = least < kept.least_squared ? least : kept.least_squared;
+  for (std::size_t c = 0; c < 8; ++c) {
+    const double from_corner = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(left, from[c], hn::Inf(d))));
+    double& closest = kept.corners_squared[c];
+    closest = from_corner < closest ? from_corner : closest;
+  }
   kept.count = static_cast<std::uint8_t>(kept.count + hn::CountTrue(d, left));
   hn::StoreMaskBits(d, left, bits);
   kept.lanes = static_cast<std::uint8_t>(kept.lanes | bits[0] << first);
 }
 
+/// Lanes come to it.
+HWY_INLINE KeptLanes nothing_kept() {
+  KeptLanes kept{0, 0, HUGE_VAL, {}};
+  kept.corners_squared.fill(HUGE_VAL);
+  return kept;
+}
+
 void sift_lanes_here(const std::array<CornerDominance, 8>& rules, const SampleDistances& distances,
                      std::uint8_t lanes, unsigned children, std::array<KeptLanes, 8>& kept) {
   for (std::size_t child = 0; child < 8; ++child) {
-    kept[child] = {0, 0, HUGE_VAL};
+    kept[child] = nothing_kept();
     if ((children >> child & 1U) == 0) continue;
     for (std::size_t first = 0; first < group_size; first += hn::Lanes(Tag())) {
       sift(rules[child].thresholds(), distances, child, first, lanes, kept[child]);

@@ -63,6 +63,7 @@ struct KeptLanes {
   std::uint8_t lanes;    ///< bit i: triangle i may win
   std::uint8_t count;    ///< of set bits
   double least_squared;  ///< from the child's centre, over these lanes
+  std::array<double, 8> corners_squared;  ///< the same from its corners
 };
 
 /// Tests the given lanes of a group against the rules of the given children (bits too), all triangles at

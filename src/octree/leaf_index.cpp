@@ -153,8 +153,10 @@ Located LeafIndex::at(const LatticePoint& point, std::uint32_t number) const noe
   const LeafRecord record{0, leaf.count_and_side};
   return {{leaf.entries, record.count()},
           record.side(),
+          {x, y, z},
           // A point that its own difference to the origin has moved by up to 2^-50 edges.
-          std::sqrt(x * x + y * y + z * z) * (1 + 8 * unit_roundoff) + 0x1p-49};
+          std::sqrt(x * x + y * y + z * z) * (1 + 8 * unit_roundoff) + 0x1p-49,
+          size};
 }
 
 std::uint64_t LeafIndex::bytes() const noexcept {

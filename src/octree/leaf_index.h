@@ -22,7 +22,9 @@ struct LatticePoint {
 struct Located {
   std::span<const Entry> entries;
   Side side = Side::undecided;
-  double from_centre = 0;  ///< distance of the point from the leaf's centre in edges, rounded up
+  Vec3 offset;             ///< of the point from the leaf's centre, in edges
+  double from_centre = 0;  ///< its length, rounded up
+  double size = 0;         ///< edge of the leaf, in edges of the lattice
 };
 
 class LeafIndex {

@@ -60,7 +60,7 @@ class Refinement {
       walk(
           space_.bvh, candidate.node, [](std::uint32_t) { return true; },
           [&](std::uint32_t node) {
-            scratch_.groups.push_back({0, node, candidate.lanes});
+            scratch_.groups.push_back({node, 0, {}, candidate.lanes});
             return true;
           });
     }
@@ -68,7 +68,7 @@ class Refinement {
     scratch_.nearest.clear();
     for (std::size_t i = 0; i < scratch_.groups.size(); ++i) {
       const std::uint32_t number = space_.bvh.nodes[scratch_.groups[i].node].first_group;
-      squared_distances_below(samples_, space_.triangles.groups[number], scratch_.distances[i]);
+      squared_distances_below(samples_, space_.triangles.group(number), scratch_.distances[i]);
       scratch_.nearest.add(scratch_.distances[i], number);
     }
   }
@@ -91,7 +91,7 @@ class Refinement {
       slot = search.accept().slot;
     }
     if (slot == no_index) return parent_.dominators[best];
-    return estimate_closest(p, space_.triangles.groups[slot / group_size], slot % group_size);
+    return estimate_closest(p, space_.triangles.group(slot / group_size), slot % group_size);
   }
 
   void find_dominators() {
@@ -135,15 +135,16 @@ class Refinement {
     if (children == 0) return;
     if (node.is_group()) {
       SampleDistances distances;
-      squared_distances_below(samples_, space_.triangles.groups[node.first_group], distances);
+      squared_distances_below(samples_, space_.triangles.group(node.first_group), distances);
       sift_group(candidate, distances, children);
     } else if (diagonal_above(node.box) > size_ / 4) {
-      sift({0, space_.bvh.left(candidate.node), 0xff}, children);
-      sift({0, space_.bvh.right(candidate.node), 0xff}, children);
+      sift({space_.bvh.left(candidate.node), 0, {}, 0xff}, children);
+      sift({space_.bvh.right(candidate.node), 0, {}, 0xff}, children);
     } else {
       for (std::size_t child = 0; child < 8; ++child) {
         if ((children >> child & 1U) == 0) continue;
-        keep(child, {squared[centre_sample(child)], candidate.node, 0xff}, triangles_below(node));
+        keep(child, candidate.node,
+             {0xff, 0, squared[centre_sample(child)], from_corners(squared, child)}, triangles_below(node));
       }
     }
   }
@@ -155,10 +156,7 @@ class Refinement {
       if (options_.lists == Lists::band) {
         drop = squared[centre_sample(child)] > bands_[child];
       } else {
-        std::array<double, 8> corners;
-        for (std::size_t corner = 0; corner < 8; ++corner)
-          corners[corner] = squared[corner_sample(child, corner)];
-        drop = scratch_.rules[child].drops(corners);
+        drop = scratch_.rules[child].drops(from_corners(squared, child));
       }
       if (drop) children &= ~(1U << child);
     }
@@ -177,25 +175,42 @@ class Refinement {
     }
     for (std::size_t child = 0; child < 8; ++child) {
       if ((children >> child & 1U) == 0 || kept[child].count == 0) continue;
-      keep(child, {kept[child].least_squared, candidate.node, kept[child].lanes}, kept[child].count);
+      keep(child, candidate.node, kept[child], kept[child].count);
     }
   }
 
   KeptLanes in_band(std::size_t child, const SampleDistances& distances, std::uint8_t lanes) const {
-    KeptLanes kept{0, 0, HUGE_VAL};
+    KeptLanes kept{0, 0, HUGE_VAL, {}};
+    kept.corners_squared.fill(HUGE_VAL);
     const GroupDistances& centre = distances.squared[centre_sample(child)];
     for (std::size_t lane = 0; lane < group_size; ++lane) {
       if ((lanes >> lane & 1U) == 0 || centre[lane] > bands_[child]) continue;
       kept.lanes |= static_cast<std::uint8_t>(1U << lane);
       ++kept.count;
       kept.least_squared = std::min(kept.least_squared, centre[lane]);
+      for (std::size_t corner = 0; corner < 8; ++corner) {
+        double& closest = kept.corners_squared[corner];
+        closest = std::min(closest, distances.squared[corner_sample(child, corner)][lane]);
+      }
     }
     return kept;
   }
 
-  void keep(std::size_t child, const Candidate& candidate, std::uint64_t triangles) {
-    scratch_.lists[child].push_back(candidate);
+  void keep(std::size_t child, std::uint32_t node, const KeptLanes& kept, std::uint64_t triangles) {
+    // One part in 2^50 less covers the root.
+    const double distance = std::sqrt(std::max(kept.least_squared, 0.0)) * (1 - 0x1p-50);
+    // Quotients by the edge, a power of two, are exact.
+    const float in_edges = Entry::kept(distance / lattice_.edge);
+    const EntryBound bound = entry_bound(kept.corners_squared, in_edges * lattice_.edge, size_);
+    scratch_.lists[child].push_back({node, in_edges, bound, kept.lanes});
     children_[child].triangles += triangles;
+  }
+
+  static std::array<double, 8> from_corners(const std::array<double, sample_count>& squared,
+                                            std::size_t child) noexcept {
+    std::array<double, 8> corners;
+    for (std::size_t corner = 0; corner < 8; ++corner) corners[corner] = squared[corner_sample(child, corner)];
+    return corners;
   }
 
   std::uint64_t triangles_below(const BvhNode& node) const noexcept {
@@ -221,9 +236,9 @@ class Refinement {
 
 OpenCell root_cell(SearchSpace space) {
   OpenCell root;
-  root.list.push_back({0, 0, 0xff});
+  root.list.push_back({0, 0, {}, 0xff});
   root.triangles = space.triangles.size();
-  root.dominators.fill(space.triangles.groups[0].vertex(0, 0));
+  root.dominators.fill(space.triangles.shape(0).vertices[0]);
   return root;
 }
 

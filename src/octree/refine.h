@@ -7,6 +7,7 @@
 
 #include "cdfr/octree/options.h"
 #include "geometry/sample_distances.h"
+#include "octree/blocks.h"
 #include "octree/influence.h"
 #include "octree/key.h"
 #include "octree/lattice.h"
@@ -16,8 +17,9 @@ namespace cdfr {
 
 /// A BVH node in the list of a cell under construction, most often a group.
 struct Candidate {
-  double squared;  ///< at most the squared distance of its kept triangles from the cell's centre
   std::uint32_t node;
+  float distance;  ///< of its kept triangles from the cell's centre as an Entry has it
+  EntryBound bound;
   std::uint8_t lanes;  ///< triangles of a group that may win; all of them for larger nodes
 };
 

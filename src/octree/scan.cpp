@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 // Highway compiles this file once for each instruction set and picks one when the program runs. SVE is left
 // out: its vectors have no size at compile time; arm64 takes NEON.
@@ -224,17 +227,127 @@ class Scan {
   float reject_ = std::numeric_limits<float>::infinity();
 };
 
-bool scan_here(const ScanGroup* groups, std::span<const Entry> list, const Vec3& point, double from_centre,
+/// Squared lower bounds on the entries of a part of a list, infinite up to the end of a vector.
+void bound_entries(std::span<const Entry> part, const Located& leaf, float* squared) {
+  const Tag d;
+  const hn::RebindToUnsigned<Tag> u;
+  const hn::RebindToSigned<Tag> i;
+  const auto at = [&](double x) { return hn::Set(d, static_cast<float>(x)); };
+  const auto byte = [&](auto words, auto shift) {
+    return hn::ConvertTo(d, hn::ShiftRight<24>(hn::BitCast(i, hn::ShiftLeft<decltype(shift)::value>(words))));
+  };
+  const Vector x = at(leaf.offset.x), y = at(leaf.offset.y), z = at(leaf.offset.z);
+  const Vector away = hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x)));
+  const Vector unit_below = at(leaf.size * leaf.size * EntryBound::unit_below);
+  const Vector twice_size = at(2 * leaf.size), step = at(EntryBound::step), from_centre = at(leaf.from_centre);
+  for (std::size_t first = 0; first < part.size(); first += lane_count) {
+    const std::size_t left = part.size() - first;
+    HWY_ALIGN std::uint32_t copied[3 * lane_count];
+    const void* words = part.data() + first;
+    if (left < lane_count) words = std::memcpy(copied, words, left * sizeof(Entry));
+    hn::Vec<decltype(u)> place, packed, bound;
+    hn::LoadInterleaved3(u, static_cast<const std::uint32_t*>(words), place, packed, bound);
+    const Vector distance = hn::BitCast(d, hn::AndNot(hn::Set(u, 0xff), packed));
+    const Vector slope = hn::MulAdd(
+        byte(bound, std::integral_constant<int, 8>()), z,
+        hn::MulAdd(byte(bound, std::integral_constant<int, 16>()), y,
+                   hn::Mul(byte(bound, std::integral_constant<int, 24>()), x)));
+    const Vector rise = hn::Mul(hn::Mul(hn::Add(distance, twice_size), step), slope);
+    const auto below = hn::BitCast(i, hn::ShiftRight<24>(bound));
+    const Vector lowered = hn::NegMulAdd(hn::ConvertTo(d, below), unit_below, hn::Add(away, rise));
+    const Vector affine = hn::MulAdd(distance, distance, lowered);
+    const auto has_bound = hn::RebindMask(d, hn::Ne(below, hn::Set(i, EntryBound::none)));
+    const Vector outside = hn::Max(hn::Sub(distance, from_centre), hn::Zero(d));
+    const Vector least = hn::Max(hn::Mul(outside, outside), hn::IfThenElseZero(has_bound, affine));
+    hn::Store(hn::IfThenElse(hn::FirstN(d, left), least, hn::Inf(d)), d, squared + first);
+  }
+}
+
+/// The first of the least of count values. Precondition: not all are infinite; so are those up to the end of
+/// a vector.
+std::uint32_t place_of_least(const float* values, std::size_t count) {
+  const Tag d;
+  Vector least = hn::Load(d, values);
+  for (std::size_t i = lane_count; i < count; i += lane_count) least = hn::Min(least, hn::Load(d, values + i));
+  least = hn::MinOfLanes(d, least);
+  for (std::size_t i = 0;; i += lane_count) {
+    const auto found = hn::FindFirstTrue(d, hn::Eq(hn::Load(d, values + i), least));
+    if (found >= 0) return static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(found);
+  }
+}
+
+void shorten_part(std::span<const Entry> part, const Located& leaf, Shortlist& shortlist) {
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  float* squared = shortlist.squared.data();
+  bound_entries(part, leaf, squared);
+  shortlist.first = shortlist.second = place_of_least(squared, part.size());
+  if (part.size() == 1) return;
+  const float least = std::exchange(squared[shortlist.first], infinite);
+  shortlist.second = place_of_least(squared, part.size());
+  squared[shortlist.first] = least;
+}
+
+void shorten_here(const ScanGroup* groups, const Located& leaf, Shortlist& shortlist) {
+  const auto part = leaf.entries.first(std::min(leaf.entries.size(), Shortlist::most));
+  if (part.empty()) return;
+  shorten_part(part, leaf, shortlist);
+  const auto call_for = [&](std::uint32_t i) {
+    if (part[i].is_group()) prefetch(groups[part[i].number()]);
+  };
+  call_for(shortlist.first);
+  if (shortlist.second != shortlist.first) call_for(shortlist.second);
+}
+
+/// The part of a list that a shortlist covers. False if the scan has to be given up.
+bool scan_part(Scan& scan, std::span<const Entry> part, const ScanGroup* groups, Shortlist& shortlist) {
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  float* squared = shortlist.squared.data();
+  const auto take = [&](const Entry& first, const Entry* second) {
+    return first.is_group() && (second == nullptr || second->is_group()) && scan.take(first, second);
+  };
+  const auto limit = [&] { return scan.upper() * scan.upper(); };
+  const auto [first, second] = std::pair(shortlist.first, shortlist.second);
+  if (!(squared[first] <= limit())) return true;
+  const bool two = first != second && squared[second] <= limit();
+  if (!take(part[first], two ? &part[second] : nullptr)) return false;
+  squared[first] = infinite;
+  if (two) squared[second] = infinite;
+  const Tag d;
+  std::array<std::uint8_t, Shortlist::most> within;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < part.size(); i += lane_count) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::Le(hn::Load(d, squared + i), hn::Set(d, limit())), bits);
+    unsigned mask = (bits[0] | unsigned{bits[1]} << 8) & ((1U << lane_count) - 1);
+    for (; mask != 0; mask &= mask - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(mask));
+      within[count++] = static_cast<std::uint8_t>(i + lane);
+      const Entry& entry = part[i + lane];
+      if (entry.is_group()) prefetch(groups[entry.number()]);
+    }
+  }
+  const Entry* held = nullptr;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (squared[within[k]] > limit()) continue;
+    const Entry& entry = part[within[k]];
+    if (held == nullptr) {
+      held = &entry;
+    } else if (!take(*std::exchange(held, nullptr), &entry)) {
+      return false;
+    }
+  }
+  return held == nullptr || take(*held, nullptr);
+}
+
+bool scan_here(const ScanGroup* groups, const Vec3& point, const Located& leaf, Shortlist& shortlist,
                Candidates& candidates) {
   Scan scan(groups, point, candidates);
-  const auto within = [&](const Entry& entry) { return entry.distance() - from_centre <= scan.upper(); };
-  prefetch(groups, list, 0, scan_ahead);
-  for (std::size_t i = 0; i < list.size() && within(list[i]);) {
-    prefetch(groups, list, i + scan_ahead, 2);
-    if (!list[i].is_group()) return false;
-    const bool two = i + 1 < list.size() && list[i + 1].is_group() && within(list[i + 1]);
-    if (!scan.take(list[i], two ? &list[i + 1] : nullptr)) return false;
-    i += two ? 2 : 1;
+  std::span<const Entry> left = leaf.entries;
+  while (!left.empty() && left[0].distance() - leaf.from_centre <= scan.upper()) {
+    const auto part = left.first(std::min(left.size(), Shortlist::most));
+    if (part.data() != leaf.entries.data()) shorten_part(part, leaf, shortlist);
+    if (!scan_part(scan, part, groups, shortlist)) return false;
+    left = left.subspan(part.size());
   }
   scan.thin();
   return true;
@@ -247,11 +360,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace cdfr {
 
+HWY_EXPORT(shorten_here);
 HWY_EXPORT(scan_here);
 
-bool scan(const ScanGroup* groups, std::span<const Entry> list, const Vec3& point, double from_centre,
+void shorten(const ScanGroup* groups, const Located& leaf, Shortlist& shortlist) noexcept {
+  HWY_DYNAMIC_DISPATCH(shorten_here)(groups, leaf, shortlist);
+}
+
+bool scan(const ScanGroup* groups, const Vec3& point, const Located& leaf, Shortlist& shortlist,
           Candidates& candidates) noexcept {
-  return HWY_DYNAMIC_DISPATCH(scan_here)(groups, list, point, from_centre, candidates);
+  return HWY_DYNAMIC_DISPATCH(scan_here)(groups, point, leaf, shortlist, candidates);
 }
 
 }  // namespace cdfr

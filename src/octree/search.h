@@ -85,7 +85,7 @@ class Search {
   /// One group's triangles, of the given lanes.
   void group(std::uint32_t number, std::uint8_t lanes) noexcept {
     GroupDistances squared;
-    estimate_squared(p_, space_.triangles.groups[number], squared);
+    estimate_squared(p_, space_.triangles.group(number), squared);
     const std::size_t used = space_.triangles.lanes(number);
     for (std::size_t lane = 0; lane < used; ++lane) {
       if ((lanes >> lane & 1U) == 0 || squared[lane] > reject_) continue;

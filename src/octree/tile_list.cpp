@@ -37,7 +37,7 @@ void name_features(TileTriangle& triangle, const TriangleRecord& record) {
 }
 
 /// The triangle from `middle`, which is in edges from the lattice's origin.
-TileTriangle seen_from(const TriangleGroup& group, std::uint32_t lane, const Lattice& lattice,
+TileTriangle seen_from(const TriangleShape& shape, const Lattice& lattice,
                        const Vec3& middle) {
   TileTriangle t;
   float c[3];
@@ -46,12 +46,14 @@ TileTriangle seen_from(const TriangleGroup& group, std::uint32_t lane, const Lat
   const double scale = 1 / lattice.edge;  // exact: a power of two
   for (int axis = 0; axis < 3; ++axis) {
     const auto seen = [&](int corner) {
-      return static_cast<float>((group.vertices[corner][axis][lane] - origin[axis]) * scale - centre[axis]);
+      const Vec3& v = shape.vertices[corner];
+      const double at[3] = {v.x, v.y, v.z};
+      return static_cast<float>((at[axis] - origin[axis]) * scale - centre[axis]);
     };
     t.a[axis] = seen(0);
     t.b[axis] = seen(1);
     c[axis] = seen(2);
-    t.normal[axis] = static_cast<float>(group.normals[axis][lane]);
+    t.normal[axis] = static_cast<float>(shape.normal[axis].hi);
   }
   set_edge(t.ab, t.a, t.b, t.normal);
   set_edge(t.bc, t.b, c, t.normal);
@@ -72,8 +74,9 @@ bool TileList::fill(const TriangleStore& store, const ScanGroup* groups, const L
     widest = std::max(widest, groups[entry.number()].reach());
     for (unsigned lanes = entry.lanes(); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-      triangles.push_back(seen_from(store.groups[entry.number()], lane, lattice, middle));
-      triangles.back().slot = entry.number() * static_cast<std::uint32_t>(group_size) + lane;
+      const std::uint32_t slot = entry.number() * static_cast<std::uint32_t>(group_size) + lane;
+      triangles.push_back(seen_from(store.shape(slot), lattice, middle));
+      triangles.back().slot = slot;
       name_features(triangles.back(), store.records[triangles.back().slot]);
     }
     if (triangles.size() > most) return false;

@@ -43,22 +43,16 @@ Result<void> check_lattice(const FieldData& field) {
   return {};
 }
 
-/// Normals are what the vertices say: signs and faces hang on them. Lanes beyond the last triangle repeat it.
-bool good_shape(const TriangleStore& t, std::size_t group, std::size_t lane) noexcept {
-  const std::size_t slot = std::min(group * group_size + lane, t.records.size() - 1);
-  std::array<Vec3, 3> v;
-  for (std::size_t corner = 0; corner < 3; ++corner) {
-    v[corner] = t.groups[group].vertex(corner, lane);
-    if (!is_finite(v[corner])) return false;
-    for (const double c : {v[corner].x, v[corner].y, v[corner].z}) {
+/// Normals are what the vertices say: signs and faces hang on them.
+bool good_shape(const TriangleShape& shape) noexcept {
+  for (const Vec3& v : shape.vertices) {
+    if (!is_finite(v)) return false;
+    for (const double c : {v.x, v.y, v.z}) {
       const double size = std::fabs(c);
       if (size != 0 && !(size >= smallest_coordinate && size <= largest_coordinate)) return false;
     }
-    if (!(v[corner] == t.groups[slot / group_size].vertex(corner, slot % group_size))) return false;
   }
-  const DoubleDouble3 n = unit_normal(v[0], v[1], v[2]);
-  return rounded(n) == t.groups[group].normal(lane) &&
-         Vec3{n[0].lo, n[1].lo, n[2].lo} == t.records[slot].normal_rest;
+  return unit_normal(shape.vertices[0], shape.vertices[1], shape.vertices[2]) == shape.normal;
 }
 
 /// Ids point into the pseudonormals; only a collapsed edge has none.
@@ -75,13 +69,11 @@ bool good_ids(const FieldData& field, std::uint32_t slot) noexcept {
 
 Result<void> check_triangles(const FieldData& field) {
   const TriangleStore& t = field.triangles;
-  if (t.records.empty() || t.records.size() >= no_index || t.groups.size() != (t.records.size() + 7) / 8) {
-    return refusal(0, "groups: count does not fit the records");
+  if (t.records.empty() || t.records.size() >= no_index || t.exact.size() != t.records.size()) {
+    return refusal(0, "triangles: count does not fit the records");
   }
-  for (std::size_t g = 0; g < t.groups.size(); ++g) {
-    for (std::size_t lane = 0; lane < group_size; ++lane) {
-      if (!good_shape(t, g, lane)) return refusal(g, "groups: bad coordinate or normal");
-    }
+  for (std::uint32_t slot = 0; slot < t.size(); ++slot) {
+    if (!good_shape(t.shape(slot))) return refusal(slot, "triangles: bad coordinate or normal");
   }
   std::vector<bool> met(t.records.size());
   for (std::uint32_t slot = 0; slot < t.size(); ++slot) {
@@ -115,20 +107,17 @@ Result<void> check_report(const FieldData& field) {
 }
 
 Box box_of(const TriangleStore& t, std::uint32_t group) noexcept {
-  const Vec3 first = t.groups[group].vertex(0, 0);
-  Box box{first, first};
-  for (std::size_t lane = 0; lane < group_size; ++lane) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Vec3 v = t.groups[group].vertex(corner, lane);
-      box = united(box, {v, v});
-    }
+  const std::uint32_t first = group * std::uint32_t{group_size};
+  Box box{t.shape(first).vertices[0], t.shape(first).vertices[0]};
+  for (std::uint32_t slot = first; slot < first + t.lanes(group); ++slot) {
+    for (const Vec3& v : t.shape(slot).vertices) box = united(box, {v, v});
   }
   return box;
 }
 
 Result<void> check_bvh(const FieldData& field) {
   const std::vector<BvhNode>& nodes = field.bvh.nodes;
-  const std::size_t groups = field.triangles.groups.size();
+  const std::size_t groups = field.triangles.group_count();
   if (nodes.size() != 2 * groups - 1) return refusal(0, "bvh_nodes: count does not fit the groups");
   struct Expected {
     std::size_t node, first, end;
@@ -204,7 +193,7 @@ bool good_leaf(const FieldData& field, const Block& block, const LeafRecord& lea
     if (!(entry.distance() >= 0) || (i > leaf.first && entry < block.entries[i - 1])) return false;
     const std::uint32_t number = entry.number();
     if (entry.is_group()) {
-      if (number >= field.triangles.groups.size()) return false;
+      if (number >= field.triangles.group_count()) return false;
       if ((entry.lanes() & ((1U << field.triangles.lanes(number)) - 1)) == 0) return false;
     } else if (number >= field.bvh.nodes.size() || entry.lanes() != 0xff) {
       return false;

@@ -1,4 +1,4 @@
-/// Layout of a .cdfr file, version 3.
+/// Layout of a .cdfr file, version 4.
 ///
 /// All numbers are little endian. A head of 64 bytes, then sections one after another, each beginning on a
 /// multiple of 64 bytes: section i holds counts[i] elements of the size below, zero padded to the next
@@ -7,7 +7,7 @@
 /// | bytes | head |
 /// | --- | --- |
 /// | 0-7 | magic "cdfr\r\n\x1a\n" |
-/// | 8-11 | version, 3 |
+/// | 8-11 | version, 4 |
 /// | 12-15 | number of sections |
 /// | 16-23 | size of the whole file |
 /// | 24-63 | zero |
@@ -29,7 +29,7 @@
 namespace cdfr::format {
 
 inline constexpr std::array<char, 8> magic{'c', 'd', 'f', 'r', '\r', '\n', '\x1a', '\n'};
-inline constexpr std::uint32_t version = 3;
+inline constexpr std::uint32_t version = 4;
 inline constexpr std::size_t alignment = 64;
 
 enum Section : std::size_t {
@@ -37,7 +37,7 @@ enum Section : std::size_t {
   settings,        ///< one Settings
   unit,            ///< characters of the unit's label
   report,          ///< one MeshReport
-  groups,          ///< TriangleGroup
+  triangles,       ///< ExactTriangle
   records,         ///< TriangleRecord
   bvh_nodes,       ///< BvhNode
   edge_normals,    ///< Vec3
@@ -58,7 +58,7 @@ inline constexpr std::array<std::uint64_t, section_count> element_size{sizeof(st
                                                                        72,
                                                                        1,
                                                                        sizeof(MeshReport),
-                                                                       sizeof(TriangleGroup),
+                                                                       sizeof(ExactTriangle),
                                                                        sizeof(TriangleRecord),
                                                                        sizeof(BvhNode),
                                                                        sizeof(Vec3),

@@ -144,7 +144,7 @@ Result<StoredField> load(const std::filesystem::path& path) {
   const auto report = sections.next<MeshReport>();
   if (report.size() != 1) return refusal(sizeof(format::Head), "section counts do not fit the file");
   field.report = report[0];
-  field.triangles.groups = sections.next<TriangleGroup>();
+  field.triangles.exact = sections.next<ExactTriangle>();
   field.triangles.records = sections.next<TriangleRecord>();
   field.bvh.nodes = sections.next<BvhNode>();
   field.pseudonormals.edges = sections.next<Vec3>();

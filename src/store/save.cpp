@@ -91,7 +91,7 @@ format::Counts counts_of(const FieldData& field, const std::string& unit) {
   c[format::settings] = 1;
   c[format::unit] = unit.size();
   c[format::report] = 1;
-  c[format::groups] = field.triangles.groups.size();
+  c[format::triangles] = field.triangles.exact.size();
   c[format::records] = field.triangles.records.size();
   c[format::bvh_nodes] = field.bvh.nodes.size();
   c[format::edge_normals] = field.pseudonormals.edges.size();
@@ -141,7 +141,7 @@ Result<void> save(const Field& field, const std::filesystem::path& path, const s
   section(std::span<const format::Settings>(&settings, 1));
   section(std::span<const char>(unit));
   section(std::span<const MeshReport>(&data.report, 1));
-  section(std::span<const TriangleGroup>(data.triangles.groups));
+  section(std::span<const ExactTriangle>(data.triangles.exact));
   section(std::span<const TriangleRecord>(data.triangles.records));
   section(std::span<const BvhNode>(data.bvh.nodes));
   section(std::span<const Vec3>(data.pseudonormals.edges));

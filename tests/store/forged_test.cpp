@@ -109,9 +109,9 @@ TEST_F(StoreForged, RealEdgesWithoutAnIdAreRefused) {
 
 TEST_F(StoreForged, NormalsThatTheVerticesDoNotHaveAreRefused) {
   std::string bytes = small_field();
-  const Extent groups = sections_of(bytes)[format::groups];
-  std::memset(bytes.data() + groups.begin + offsetof(TriangleGroup, normals), 0,
-              sizeof(TriangleGroup::normals));
+  const Extent triangles = sections_of(bytes)[format::triangles];
+  std::memset(bytes.data() + triangles.begin + offsetof(TriangleShape, normal), 0,
+              sizeof(TriangleShape::normal));
   EXPECT_FALSE(survives(bytes));
 }
 
