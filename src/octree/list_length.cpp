@@ -8,14 +8,14 @@ namespace {
 constexpr double shortest = 160;
 
 // Measured on spot (23,062 triangles), NIST part 2 (33,664) and a cylinder head (134,480), lists of 160 to
-// 1000. Surfaces are thin: a split halves a cell's list or quarters it, and makes up to eight leaves. With
-// lists of m triangles there were 1000 to 2000 n m^-1.5 leaves, and each took 7 to 13 us to make. A query
-// took 1 to 2 us, and 2.3 ns more for each triangle of its list, which is 0.4 m in the mean. What any build or
-// query takes besides does not matter for the choice. A model that is off by a factor of two moves the
-// optimum, m = (3/2 * 1600 n * 9 us / (queries * 1 ns))^0.4, by a third, and the time around it hardly.
+// 2560. Surfaces are thin: a split halves a cell's list or quarters it, and makes up to eight leaves. With
+// lists of m triangles there were 1000 to 2000 n m^-1.5 leaves, and each took 7 to 12 us to make. A query
+// took 1 to 2 us, and 1.5 to 2 ns more for each triangle of its list, which is 0.4 m in the mean. What any
+// build or query takes besides does not matter for the choice. A model that is off by a factor of two moves
+// the optimum, m = (3/2 * 1600 n * 10 us / (queries * 0.7 ns))^0.4, by a third, and the time there hardly.
 constexpr double leaves_a_triangle = 1600;
-constexpr double leaf_microseconds = 9;
-constexpr double scan_microseconds = 0.001;
+constexpr double leaf_microseconds = 10;
+constexpr double scan_microseconds = 0.0007;
 
 /// Square roots are the same on any processor, other powers are not.
 double microseconds(double length, double triangles, double queries) noexcept {
