@@ -7,6 +7,7 @@
 
 #include "geometry/exact_contact.h"
 #include "geometry/planar_orientation.h"
+#include "geometry/unit_normal.h"
 #include "support/random.h"
 
 namespace cdfr {
@@ -26,9 +27,16 @@ Pair welded(const std::array<Vec3, 6>& places) {
   return pair;
 }
 
-/// Asked from both sides and for every order of the corners, which must not matter.
-bool meet(const Pair& pair) {
+ContactTriangle with_normal(ContactTriangle triangle) {
+  const auto& c = triangle.corners;
+  triangle.normal = rounded(unit_normal(c[0], c[1], c[2]));
+  return triangle;
+}
+
+/// Asked from both sides, with normals and without, and for every order of the corners: none of it matters.
+bool meet_both_ways(const Pair& pair) {
   const bool answer = ContactProbe(pair[0]).meets(pair[1]);
+  EXPECT_EQ(ContactProbe(with_normal(pair[0])).meets(with_normal(pair[1])), answer);
   for (int turn = 0; turn < 3; ++turn) {
     for (const bool mirrored : {false, true}) {
       ContactTriangle other = pair[1];
@@ -40,12 +48,13 @@ bool meet(const Pair& pair) {
       }
       EXPECT_EQ(ContactProbe(pair[0]).meets(other), answer);
       EXPECT_EQ(ContactProbe(other).meets(pair[0]), answer);
+      EXPECT_EQ(ContactProbe(with_normal(other)).meets(with_normal(pair[0])), answer);
     }
   }
   return answer;
 }
 
-bool meet(const std::array<Vec3, 6>& places) { return meet(welded(places)); }
+bool meet(const std::array<Vec3, 6>& places) { return meet_both_ways(welded(places)); }
 
 int common_vertices(const Pair& pair) {
   int common = 0;
