@@ -60,6 +60,12 @@ class Contenders {
   std::size_t size_ = 0;
 };
 
+Finding closest_of(const FieldData& field, const Vec3& p, const Candidates& candidates) noexcept {
+  Race race(p, field.triangles, size_of(field, p));
+  for (std::uint32_t i = 0; i < candidates.count; ++i) race.challenge(candidates.slots[i]);
+  return race.finding();
+}
+
 /// Bound on the distance from p to any point of the box.
 double reach_of(const Box& box, const Vec3& p) noexcept {
   return (distance_between(p, box.lo) + diagonal_above(box)) * (1 + 8 * unit_roundoff);
@@ -139,9 +145,7 @@ Finding closest_in_leaf(const FieldData& field, const Vec3& p, const Located& le
                         const Candidates* candidates) noexcept {
   Finding finding;
   if (candidates != nullptr) {
-    Race race(p, field.triangles, size_of(field, p));
-    for (std::uint32_t i = 0; i < candidates->count; ++i) race.challenge(candidates->slots[i]);
-    finding = race.finding();
+    finding = closest_of(field, p, *candidates);
   } else {
     const Lattice& lattice = field.tree.lattice;
     Search search(field.space(), p, lattice.reach(), Contenders(p, field));
@@ -161,6 +165,10 @@ Finding find_closest(const FieldData& field, const Vec3& p) noexcept {
     Candidates candidates;
     const bool scanned = scan(field.scan_groups.data(), point.at, leaf, shortlist, candidates);
     return closest_in_leaf(field, p, leaf, scanned ? &candidates : nullptr);
+  }
+  Candidates candidates;
+  if (scan(field.scan_groups.data(), field.bvh, field.tree.lattice, p, candidates)) {
+    return closest_of(field, p, candidates);
   }
   Search search(field.space(), p, reach_of(field.bounds(), p), Contenders(p, field));
   search.descend(0);

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <type_traits>
+#include <optional>
 #include <utility>
+
+#include "geometry/box_distance.h"
 
 // Highway compiles this file once for each instruction set and picks one when the program runs. SVE is left
 // out: its vectors have no size at compile time; arm64 takes NEON.
@@ -129,7 +131,7 @@ HWY_INLINE Vector estimated(const Pair& pair, std::size_t lane) {
   return hn::Mul(hn::IfThenElse(inside, hn::Mul(height, height), least), hn::Mul(unit, unit));
 }
 
-/// A scan under way.
+/// A scan under way. Nothing but its length branches on what it finds: nobody could foretell that.
 class Scan {
  public:
   Scan(const ScanGroup* groups, const Vec3& point, Candidates& candidates)
@@ -139,58 +141,58 @@ class Scan {
 
   float upper() const { return upper_; }
 
-  /// False if there is no room.
+  /// One group or two. False if there is no room.
   bool take(const Entry& first, const Entry* second) {
     Pair pair;
     place(pair, 0, first);
     place(pair, 1, second != nullptr ? *second : first);
     const unsigned lanes = first.lanes() | (second != nullptr ? unsigned{second->lanes()} << group_size : 0U);
-    const float reach = std::max(pair.groups[0]->reach(), pair.groups[1]->reach());
-    admit(reach);
-    HWY_ALIGN float squared[pair_size];
-    unsigned close = 0;
-    float least = std::numeric_limits<float>::infinity();
+    reach_ = std::max({reach_, pair.groups[0]->reach(), pair.groups[1]->reach()});
+    set_reject();
     const Tag d;
+    const hn::RebindToUnsigned<Tag> u;
+    const std::uint32_t slots[2] = {first.number() * std::uint32_t{group_size},
+                                    (second != nullptr ? *second : first).number() * std::uint32_t{group_size}};
     for (std::size_t lane = 0; lane < pair_size; lane += lane_count) {
-      const Vector estimate = estimated(pair, lane);
-      hn::Store(estimate, d, squared + lane);
       const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> lane),
                                     static_cast<std::uint8_t>(lanes >> lane >> 8)};
-      const auto used = hn::LoadMaskBits(d, bits);
-      const auto within = hn::And(used, hn::Le(estimate, hn::Set(d, reject_)));
-      std::uint8_t kept[8] = {};
-      hn::StoreMaskBits(d, within, kept);
-      const unsigned mask = (kept[0] | unsigned{kept[1]} << 8) & ((1U << lane_count) - 1);
-      if (mask == 0) continue;
-      close |= mask << lane;
-      least = std::min(least,
-                       hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(within, estimate, hn::Set(d, least)))));
+      const Vector squared =
+          hn::IfThenElse(hn::LoadMaskBits(d, bits), estimated(pair, lane), hn::Inf(d));
+      least_ = hn::Min(least_, squared);
+      HWY_ALIGN std::uint32_t numbers[lane_count];
+      for (std::size_t i = 0; i < lane_count; ++i) {
+        numbers[i] = slots[(lane + i) / group_size] + static_cast<std::uint32_t>((lane + i) % group_size);
+      }
+      append(squared, hn::Load(u, numbers));
     }
-    if (close == 0) return true;
-    lower(least, reach);
-    for (; close != 0; close &= close - 1) {
-      const auto lane = static_cast<unsigned>(std::countr_zero(close));
-      if (squared[lane] > reject_) continue;
-      const std::uint32_t group = (lane < group_size ? first : *second).number();
-      found_.slots[found_.count] = group * static_cast<std::uint32_t>(group_size) + lane % group_size;
-      found_.squared[found_.count++] = squared[lane];
-    }
-    if (found_.count + pair_size <= found_.slots.size()) return true;
-    thin();
-    return found_.count + pair_size <= found_.slots.size();
+    if (found_.count <= Candidates::most) return true;
+    settle();
+    return found_.count <= Candidates::most;
   }
 
-  void thin() {
-    std::uint32_t kept = 0;
-    for (std::uint32_t i = 0; i < found_.count; ++i) {
-      if (found_.squared[i] > reject_) continue;
-      found_.slots[kept] = found_.slots[i];
-      found_.squared[kept++] = found_.squared[i];
+  /// Brings the bounds up to date, and drops what they rule out.
+  void settle() {
+    const float least = hn::GetLane(hn::MinOfLanes(Tag(), least_));
+    upper_ = (std::sqrt(least) + scan_share * reach_ + scan_floor) * (1 + 2 * scan_error);
+    set_reject();
+    const std::uint32_t count = std::exchange(found_.count, 0);
+    const Tag d;
+    const hn::RebindToUnsigned<Tag> u;
+    for (std::uint32_t i = 0; i < count; i += lane_count) {
+      const Vector squared = hn::LoadU(d, found_.squared.data() + i);
+      append(hn::IfThenElse(hn::FirstN(d, count - i), squared, hn::Inf(d)),
+             hn::LoadU(u, found_.slots.data() + i));
     }
-    found_.count = kept;
   }
 
  private:
+  /// Every group has its say in what it takes to be ruled out. No bound is as large as the largest number,
+  /// and no estimate of a lane that is not used as small.
+  void set_reject() {
+    const float beyond = (upper_ + scan_share * reach_ + scan_floor) * (1 + 2 * scan_error);
+    reject_ = std::min(beyond * beyond, std::numeric_limits<float>::max());
+  }
+
   void place(Pair& pair, int which, const Entry& entry) const {
     const ScanGroup& group = groups_[entry.number()];
     pair.groups[which] = &group;
@@ -200,42 +202,36 @@ class Scan {
     pair.from[which][2] = static_cast<float>(point_.z - group.origin[2]) * units;
   }
 
-  /// Every group has its say in what it takes to be ruled out.
-  void admit(float reach) {
-    if (reach <= reach_) return;
-    reach_ = reach;
-    set_reject();
-  }
-
-  void lower(float squared, float reach) {
-    const float upper = (std::sqrt(squared) + scan_share * reach + scan_floor) * (1 + 2 * scan_error);
-    if (upper >= upper_) return;
-    upper_ = upper;
-    set_reject();
-  }
-
-  void set_reject() {
-    const float beyond = (upper_ + scan_share * reach_ + scan_floor) * (1 + 2 * scan_error);
-    reject_ = beyond * beyond;
+  /// What is finite and not ruled out. Writes up to a vector beyond the end.
+  void append(Vector squared, hn::Vec<hn::RebindToUnsigned<Tag>> slots) {
+    const Tag d;
+    const hn::RebindToUnsigned<Tag> u;
+    const auto kept = hn::Le(squared, hn::Set(d, reject_));
+    hn::StoreU(hn::Compress(squared, kept), d, found_.squared.data() + found_.count);
+    hn::StoreU(hn::Compress(slots, hn::RebindMask(u, kept)), u, found_.slots.data() + found_.count);
+    found_.count += static_cast<std::uint32_t>(hn::CountTrue(d, kept));
   }
 
   const ScanGroup* groups_;
   Vec3 point_;
   Candidates& found_;
+  Vector least_ = hn::Inf(Tag());
   float reach_ = 0;  ///< largest of the groups so far
   float upper_ = std::numeric_limits<float>::infinity();
-  float reject_ = std::numeric_limits<float>::infinity();
+  float reject_ = std::numeric_limits<float>::max();
 };
 
-/// Squared lower bounds on the entries of a part of a list, infinite up to the end of a vector.
+/// The place of an entry is in the last bits of its bound, which this rounds down, so that the least bound
+/// knows its entry. What lies beyond the end of the list, to the end of a vector, is not below `beyond_list`.
+constexpr std::uint32_t place_mask = Shortlist::most - 1;
+constexpr std::uint32_t beyond_list = 0x7f7fffffU & ~place_mask;
+
+/// Squared lower bounds on the entries of a part of a list.
 void bound_entries(std::span<const Entry> part, const Located& leaf, float* squared) {
   const Tag d;
   const hn::RebindToUnsigned<Tag> u;
   const hn::RebindToSigned<Tag> i;
   const auto at = [&](double x) { return hn::Set(d, static_cast<float>(x)); };
-  const auto byte = [&](auto words, auto shift) {
-    return hn::ConvertTo(d, hn::ShiftRight<24>(hn::BitCast(i, hn::ShiftLeft<decltype(shift)::value>(words))));
-  };
   const Vector x = at(leaf.offset.x), y = at(leaf.offset.y), z = at(leaf.offset.z);
   const Vector away = hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x)));
   const Vector unit_below = at(leaf.size * leaf.size * EntryBound::unit_below);
@@ -248,10 +244,10 @@ void bound_entries(std::span<const Entry> part, const Located& leaf, float* squa
     hn::Vec<decltype(u)> place, packed, bound;
     hn::LoadInterleaved3(u, static_cast<const std::uint32_t*>(words), place, packed, bound);
     const Vector distance = hn::BitCast(d, hn::AndNot(hn::Set(u, 0xff), packed));
-    const Vector slope = hn::MulAdd(
-        byte(bound, std::integral_constant<int, 8>()), z,
-        hn::MulAdd(byte(bound, std::integral_constant<int, 16>()), y,
-                   hn::Mul(byte(bound, std::integral_constant<int, 24>()), x)));
+    const auto top_byte = [&](auto bytes) { return hn::ConvertTo(d, hn::ShiftRight<24>(hn::BitCast(i, bytes))); };
+    const Vector slope = hn::MulAdd(top_byte(hn::ShiftLeft<8>(bound)), z,
+                                    hn::MulAdd(top_byte(hn::ShiftLeft<16>(bound)), y,
+                                               hn::Mul(top_byte(hn::ShiftLeft<24>(bound)), x)));
     const Vector rise = hn::Mul(hn::Mul(hn::Add(distance, twice_size), step), slope);
     const auto below = hn::BitCast(i, hn::ShiftRight<24>(bound));
     const Vector lowered = hn::NegMulAdd(hn::ConvertTo(d, below), unit_below, hn::Add(away, rise));
@@ -259,84 +255,81 @@ void bound_entries(std::span<const Entry> part, const Located& leaf, float* squa
     const auto has_bound = hn::RebindMask(d, hn::Ne(below, hn::Set(i, EntryBound::none)));
     const Vector outside = hn::Max(hn::Sub(distance, from_centre), hn::Zero(d));
     const Vector least = hn::Max(hn::Mul(outside, outside), hn::IfThenElseZero(has_bound, affine));
-    hn::Store(hn::IfThenElse(hn::FirstN(d, left), least, hn::Inf(d)), d, squared + first);
+    const auto listed = hn::RebindMask(u, hn::FirstN(d, left));
+    const auto bits = hn::IfThenElse(listed, hn::BitCast(u, least), hn::Set(u, beyond_list));
+    const auto places = hn::Iota(u, static_cast<std::uint32_t>(first));
+    hn::Store(hn::Or(hn::AndNot(hn::Set(u, place_mask), bits), places), u,
+              reinterpret_cast<std::uint32_t*>(squared) + first);
   }
 }
 
-/// The first of the least of count values. Precondition: not all are infinite; so are those up to the end of
-/// a vector.
-std::uint32_t place_of_least(const float* values, std::size_t count) {
-  const Tag d;
-  Vector least = hn::Load(d, values);
-  for (std::size_t i = lane_count; i < count; i += lane_count) least = hn::Min(least, hn::Load(d, values + i));
-  least = hn::MinOfLanes(d, least);
-  for (std::size_t i = 0;; i += lane_count) {
-    const auto found = hn::FindFirstTrue(d, hn::Eq(hn::Load(d, values + i), least));
-    if (found >= 0) return static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(found);
-  }
-}
-
+/// The two least bounds.
 void shorten_part(std::span<const Entry> part, const Located& leaf, Shortlist& shortlist) {
-  constexpr float infinite = std::numeric_limits<float>::infinity();
-  float* squared = shortlist.squared.data();
-  bound_entries(part, leaf, squared);
-  shortlist.first = shortlist.second = place_of_least(squared, part.size());
-  if (part.size() == 1) return;
-  const float least = std::exchange(squared[shortlist.first], infinite);
-  shortlist.second = place_of_least(squared, part.size());
-  squared[shortlist.first] = least;
+  const Tag d;
+  const float* squared = shortlist.squared.data();
+  bound_entries(part, leaf, shortlist.squared.data());
+  Vector least = hn::Load(d, squared);
+  Vector second = hn::Set(d, std::bit_cast<float>(beyond_list));
+  for (std::size_t i = lane_count; i < part.size(); i += lane_count) {
+    const Vector next = hn::Load(d, squared + i);
+    second = hn::Min(second, hn::Max(least, next));
+    least = hn::Min(least, next);
+  }
+  const Vector first = hn::MinOfLanes(d, least);
+  second = hn::MinOfLanes(d, hn::Min(second, hn::IfThenElse(hn::Eq(least, first), second, least)));
+  const auto key = [](Vector v) { return std::bit_cast<std::uint32_t>(hn::GetLane(v)); };
+  shortlist.first = key(first) & place_mask;
+  shortlist.second = key(second) < beyond_list ? key(second) & place_mask : shortlist.first;
 }
 
 void shorten_here(const ScanGroup* groups, const Located& leaf, Shortlist& shortlist) {
   const auto part = leaf.entries.first(std::min(leaf.entries.size(), Shortlist::most));
   if (part.empty()) return;
   shorten_part(part, leaf, shortlist);
-  const auto call_for = [&](std::uint32_t i) {
+  for (const std::uint32_t i : {shortlist.first, shortlist.second}) {
     if (part[i].is_group()) prefetch(groups[part[i].number()]);
-  };
-  call_for(shortlist.first);
-  if (shortlist.second != shortlist.first) call_for(shortlist.second);
+  }
+}
+
+/// One bit for each entry whose bound is not above the limit.
+std::uint64_t within(const Shortlist& shortlist, std::size_t count, float limit) {
+  const Tag d;
+  std::uint64_t entries = 0;
+  for (std::size_t i = 0; i < count; i += lane_count) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::Le(hn::Load(d, shortlist.squared.data() + i), hn::Set(d, limit)), bits);
+    const unsigned lanes = (bits[0] | unsigned{bits[1]} << 8) & ((1U << lane_count) - 1);
+    entries |= std::uint64_t{lanes} << i;
+  }
+  return entries;
 }
 
 /// The part of a list that a shortlist covers. False if the scan has to be given up.
-bool scan_part(Scan& scan, std::span<const Entry> part, const ScanGroup* groups, Shortlist& shortlist) {
-  constexpr float infinite = std::numeric_limits<float>::infinity();
-  float* squared = shortlist.squared.data();
-  const auto take = [&](const Entry& first, const Entry* second) {
-    return first.is_group() && (second == nullptr || second->is_group()) && scan.take(first, second);
+bool scan_part(Scan& scan, std::span<const Entry> part, const ScanGroup* groups, const Shortlist& shortlist) {
+  const auto limit = [&] { return std::min(scan.upper() * scan.upper(), std::bit_cast<float>(beyond_list - 1)); };
+  const auto take = [&](std::size_t first, std::size_t second) {
+    return part[first].is_group() && part[second].is_group() &&
+           scan.take(part[first], second == first ? nullptr : &part[second]);
   };
-  const auto limit = [&] { return scan.upper() * scan.upper(); };
   const auto [first, second] = std::pair(shortlist.first, shortlist.second);
-  if (!(squared[first] <= limit())) return true;
-  const bool two = first != second && squared[second] <= limit();
-  if (!take(part[first], two ? &part[second] : nullptr)) return false;
-  squared[first] = infinite;
-  if (two) squared[second] = infinite;
-  const Tag d;
-  std::array<std::uint8_t, Shortlist::most> within;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < part.size(); i += lane_count) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, hn::Le(hn::Load(d, squared + i), hn::Set(d, limit())), bits);
-    unsigned mask = (bits[0] | unsigned{bits[1]} << 8) & ((1U << lane_count) - 1);
-    for (; mask != 0; mask &= mask - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(mask));
-      within[count++] = static_cast<std::uint8_t>(i + lane);
-      const Entry& entry = part[i + lane];
-      if (entry.is_group()) prefetch(groups[entry.number()]);
-    }
+  if (!(shortlist.squared[first] <= limit())) return true;
+  const bool two = part[second].is_group() && shortlist.squared[second] <= limit();
+  if (!take(first, two ? second : first)) return false;
+  scan.settle();
+  std::uint64_t left = within(shortlist, part.size(), limit());
+  left &= ~(std::uint64_t{1} << first | std::uint64_t{two} << second);
+  for (std::uint64_t ahead = left; ahead != 0; ahead &= ahead - 1) {
+    const Entry& entry = part[static_cast<std::size_t>(std::countr_zero(ahead))];
+    if (entry.is_group()) prefetch(groups[entry.number()]);
   }
-  const Entry* held = nullptr;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (squared[within[k]] > limit()) continue;
-    const Entry& entry = part[within[k]];
-    if (held == nullptr) {
-      held = &entry;
-    } else if (!take(*std::exchange(held, nullptr), &entry)) {
-      return false;
-    }
+  while (left != 0) {
+    const auto one = static_cast<std::size_t>(std::countr_zero(left));
+    left &= left - 1;
+    const auto other = left != 0 ? static_cast<std::size_t>(std::countr_zero(left)) : one;
+    left &= left - 1;
+    if (!take(one, other)) return false;
   }
-  return held == nullptr || take(*held, nullptr);
+  return true;
 }
 
 bool scan_here(const ScanGroup* groups, const Vec3& point, const Located& leaf, Shortlist& shortlist,
@@ -347,10 +340,57 @@ bool scan_here(const ScanGroup* groups, const Vec3& point, const Located& leaf, 
     const auto part = left.first(std::min(left.size(), Shortlist::most));
     if (part.data() != leaf.entries.data()) shorten_part(part, leaf, shortlist);
     if (!scan_part(scan, part, groups, shortlist)) return false;
+    scan.settle();
     left = left.subspan(part.size());
   }
-  scan.thin();
   return true;
+}
+
+bool scan_all_here(const ScanGroup* groups, const Bvh& bvh, const Lattice& lattice, const Vec3& p,
+                   Candidates& candidates) {
+  struct Pending {
+    std::uint32_t node;
+    double squared;
+  };
+  const auto pending = [&](std::uint32_t node) {
+    return Pending{node, squared_distance_below(p, bvh.nodes[node].box)};
+  };
+  const double scale = 1 / lattice.edge;  // exact: a power of two
+  const Vec3& o = lattice.origin;
+  Scan scan(groups, {(p.x - o.x) * scale, (p.y - o.y) * scale, (p.z - o.z) * scale}, candidates);
+  double limit = std::numeric_limits<double>::infinity();
+  const auto take = [&](const Entry& first, const Entry* second) {
+    if (!scan.take(first, second)) return false;
+    scan.settle();
+    const double upper = double{scan.upper()} * lattice.edge;
+    limit = upper * upper;
+    return true;
+  };
+  std::optional<Entry> held;
+  std::array<Pending, bvh_depth_limit> stack;
+  std::size_t size = 0;
+  for (Pending next = pending(0);;) {
+    if (next.squared <= limit) {
+      const BvhNode& node = bvh.nodes[next.node];
+      if (!node.is_group()) {
+        Pending near = pending(bvh.left(next.node)), far = pending(bvh.right(next.node));
+        if (far.squared < near.squared) std::swap(near, far);
+        stack[size++] = far;
+        next = near;
+        continue;
+      }
+      const Entry entry = Entry::of_group(node.first_group, 0, 0xff);
+      if (!held) {
+        held = entry;
+        prefetch(groups[entry.number()]);
+      } else if (!take(*std::exchange(held, std::nullopt), &entry)) {
+        return false;
+      }
+    }
+    if (size == 0) break;
+    next = stack[--size];
+  }
+  return !held || take(*held, nullptr);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -362,6 +402,14 @@ namespace cdfr {
 
 HWY_EXPORT(shorten_here);
 HWY_EXPORT(scan_here);
+HWY_EXPORT(scan_all_here);
+
+namespace {
+
+/// In edges from the brick's middle. At that distance single precision hides 2^-9 edges.
+constexpr double farthest = 128;
+
+}  // namespace
 
 void shorten(const ScanGroup* groups, const Located& leaf, Shortlist& shortlist) noexcept {
   HWY_DYNAMIC_DISPATCH(shorten_here)(groups, leaf, shortlist);
@@ -370,6 +418,15 @@ void shorten(const ScanGroup* groups, const Located& leaf, Shortlist& shortlist)
 bool scan(const ScanGroup* groups, const Vec3& point, const Located& leaf, Shortlist& shortlist,
           Candidates& candidates) noexcept {
   return HWY_DYNAMIC_DISPATCH(scan_here)(groups, point, leaf, shortlist, candidates);
+}
+
+bool scan(const ScanGroup* groups, const Bvh& bvh, const Lattice& lattice, const Vec3& p,
+          Candidates& candidates) noexcept {
+  const Box domain = lattice.domain();
+  const Vec3 middle{(domain.lo.x + domain.hi.x) / 2, (domain.lo.y + domain.hi.y) / 2,
+                    (domain.lo.z + domain.hi.z) / 2};
+  if (!(distance_between(p, middle) <= farthest * lattice.edge)) return false;
+  return HWY_DYNAMIC_DISPATCH(scan_all_here)(groups, bvh, lattice, p, candidates);
 }
 
 }  // namespace cdfr

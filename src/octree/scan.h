@@ -7,6 +7,7 @@
 #include <span>
 
 #include "geometry/scan_group.h"
+#include "mesh/bvh.h"
 #include "octree/leaf_index.h"
 
 namespace cdfr {
@@ -15,20 +16,23 @@ namespace cdfr {
 struct Shortlist {
   /// Entries that it covers; a longer list goes on beyond it.
   static constexpr std::size_t most = 64;
-  /// Lower bounds (entry_bound.h) on the squared distances, in edges; infinite beyond the last entry.
+  /// Lower bounds (entry_bound.h) on the squared distances, in edges, as scan.cpp has them.
   alignas(64) std::array<float, most> squared;
   /// The two of least bound; equal if there is one only.
   std::uint32_t first, second;
 };
 
-/// The list's beginning, or nothing of it if it is empty. Calls for the groups that are most likely to be read.
+/// The list's beginning, or nothing of it if it is empty. Calls for the groups that are read first.
 void shorten(const ScanGroup* groups, const Located& leaf, Shortlist& shortlist) noexcept;
 
 /// Triangles that a scan has not ruled out, by slot.
 struct Candidates {
-  std::array<std::uint32_t, 64> slots;
-  std::array<float, 64> squared;  ///< estimated, in edges
-  std::uint32_t count;            ///< of the above that are set
+  static constexpr std::uint32_t most = 64;
+  /// A scan writes whole vectors.
+  static constexpr std::uint32_t room = most + 2 * group_size + 16;
+  std::array<std::uint32_t, room> slots;
+  std::array<float, room> squared;  ///< estimated, in edges
+  std::uint32_t count;              ///< of the above that are set
 };
 
 /// Fills `candidates` with every triangle of the list whose computed distance from the point is least, or is
@@ -46,6 +50,12 @@ struct Candidates {
 /// (2^-88 of the largest coordinate, below 2^-54 edges). Which others come along differs with the instruction
 /// set; they lose in double-double, so answers do not.
 bool scan(const ScanGroup* groups, const Vec3& point, const Located& leaf, Shortlist& shortlist,
+          Candidates& candidates) noexcept;
+
+/// The same for all of the mesh, by its BVH, nearer children first, for a point that may lie outside the brick:
+/// p rounds by 2^-53 of its distance more, which is within the bound's share of that. False too where it is so
+/// far away that little of the mesh could be told apart.
+bool scan(const ScanGroup* groups, const Bvh& bvh, const Lattice& lattice, const Vec3& p,
           Candidates& candidates) noexcept;
 
 }  // namespace cdfr

@@ -91,7 +91,8 @@ TEST(CornerDominance, LanesAgreeWithSingles) {
     std::array<KeptLanes, 8> kept;
     sift_lanes(rules, distances, lanes, 0xff, kept);
     for (std::size_t child = 0; child < 8; ++child) {
-      KeptLanes expected{0, 0, HUGE_VAL};
+      KeptLanes expected{0, 0, HUGE_VAL, {}};
+      expected.corners_squared.fill(HUGE_VAL);
       for (std::size_t lane = 0; lane < group_size; ++lane) {
         std::array<double, 8> squared;
         for (std::size_t c = 0; c < 8; ++c) squared[c] = distances.squared[corner_sample(child, c)][lane];
@@ -100,10 +101,14 @@ TEST(CornerDominance, LanesAgreeWithSingles) {
         ++expected.count;
         expected.least_squared =
             std::min(expected.least_squared, distances.squared[centre_sample(child)][lane]);
+        for (std::size_t c = 0; c < 8; ++c) {
+          expected.corners_squared[c] = std::min(expected.corners_squared[c], squared[c]);
+        }
       }
       EXPECT_EQ(kept[child].lanes, expected.lanes);
       EXPECT_EQ(kept[child].count, expected.count);
       EXPECT_EQ(kept[child].least_squared, expected.least_squared);
+      EXPECT_EQ(kept[child].corners_squared, expected.corners_squared);
     }
   }
 }

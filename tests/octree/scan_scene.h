@@ -25,12 +25,14 @@ inline Vec3 anywhere(test::Random& random, double inset = 0) {
                     {origin.x + far, origin.y + far, origin.z + far}});
 }
 
-/// Groups, a leaf's list over them, and the leaf's centre.
+/// Groups, a leaf's list over them, and the leaf's centre. With a size, in edges, entries are bounded in the
+/// leaf, and points have to lie in it.
 struct Scene {
   std::vector<ShapedGroup> groups;
   std::vector<ScanGroup> scan_groups;
   std::vector<Entry> list;
   Vec3 centre;
+  double size = 0;
 
   DoubleDouble squared(const Vec3& p, std::uint32_t slot) const {
     return measure(p, groups[slot / group_size].shapes[slot % group_size]).squared;
@@ -40,20 +42,47 @@ struct Scene {
     const auto number = static_cast<std::uint32_t>(groups.size());
     groups.push_back(made);
     scan_groups.push_back(scan_group(made.group, origin, edge));
-    double least = HUGE_VAL;
-    for (std::uint32_t lane = 0; lane < group_size; ++lane) {
-      if ((lanes >> lane & 1U) == 0) continue;
-      least = std::min(least, square_root(squared(centre, number * std::uint32_t{group_size} + lane)) / edge);
-    }
-    list.push_back(Entry::of_group(number, least * (1 - 0x1p-50), lanes));
+    const double least = std::sqrt(least_squared(centre, number, lanes));
+    list.push_back(Entry::of_group(number, least, lanes, bound(number, least, lanes)));
     std::sort(list.begin(), list.end());
+  }
+
+  Vec3 corner(std::size_t number) const {
+    const auto at = [&](double middle, std::size_t axis) {
+      return middle + ((number >> axis & 1U) != 0 ? 0.5 : -0.5) * size * edge;
+    };
+    return {at(centre.x, 0), at(centre.y, 1), at(centre.z, 2)};
   }
 
   /// cdfr::scan of the list.
   bool scan(const Vec3& p, Candidates& candidates) const {
     const Vec3 a = in_edges(p), b = in_edges(centre);
-    const double from_centre = std::hypot(a.x - b.x, a.y - b.y, a.z - b.z) * (1 + 0x1p-48) + 0x1p-48;
-    return cdfr::scan(scan_groups.data(), list, a, from_centre, candidates);
+    Located leaf;
+    leaf.entries = list;
+    leaf.offset = {a.x - b.x, a.y - b.y, a.z - b.z};
+    leaf.from_centre = std::hypot(leaf.offset.x, leaf.offset.y, leaf.offset.z) * (1 + 0x1p-48) + 0x1p-48;
+    leaf.size = size;
+    Shortlist shortlist;
+    shorten(scan_groups.data(), leaf, shortlist);
+    return cdfr::scan(scan_groups.data(), a, leaf, shortlist, candidates);
+  }
+
+ private:
+  /// In edges, rounded down.
+  double least_squared(const Vec3& p, std::uint32_t number, std::uint8_t lanes) const {
+    double least = HUGE_VAL;
+    for (std::uint32_t lane = 0; lane < group_size; ++lane) {
+      if ((lanes >> lane & 1U) == 0) continue;
+      least = std::min(least, squared(p, number * std::uint32_t{group_size} + lane).hi);
+    }
+    return least / (edge * edge) * (1 - 0x1p-50);
+  }
+
+  EntryBound bound(std::uint32_t number, double least, std::uint8_t lanes) const {
+    if (size == 0) return {};
+    std::array<double, 8> corners;
+    for (std::size_t k = 0; k < 8; ++k) corners[k] = least_squared(corner(k), number, lanes);
+    return entry_bound(corners, double{Entry::kept(least)}, size);
   }
 };
 

@@ -149,6 +149,40 @@ TEST(Scan, FindsTheClosestWhereListsGoOnBeyondIt) {
   });
 }
 
+/// A leaf of that size, with groups all around it.
+Scene leaf_scene(test::Random& random, std::size_t count, double size) {
+  Scene scene;
+  scene.size = size;
+  scene.centre = anywhere(random, size * edge);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double extent = 2 * edge * std::ldexp(1.0, -static_cast<int>(random.below(12)));
+    const Vec3 middle = test::along(scene.centre, anywhere(random, extent), random.between(0, 1));
+    scene.add(test::shaped_group(random, test::all_shapes[random.below(6)], middle, extent), some_lanes(random));
+  }
+  return scene;
+}
+
+Vec3 in_leaf(test::Random& random, const Scene& scene) {
+  if (random.below(8) == 0) return scene.corner(random.below(8));
+  return random.in({scene.corner(0), scene.corner(7)});
+}
+
+TEST(Scan, FindsTheClosestByBoundsThatHoldInTheLeaf) {
+  on_every_instruction_set([] {
+    test::Random random(6);
+    for (int i = 0; i < 1500; ++i) {
+      const double size = std::ldexp(1.0, -static_cast<int>(random.below(6)));
+      const Scene scene = leaf_scene(random, 1 + random.below(150), size);
+      for (int k = 0; k < 4; ++k) {
+        const Vec3 p = in_leaf(random, scene);
+        Candidates found;
+        ASSERT_TRUE(scene.scan(p, found));
+        ASSERT_NO_FATAL_FAILURE(check(scene, p, found));
+      }
+    }
+  });
+}
+
 /// A triangle of size 2 eight times over, about level.
 ShapedGroup plate(const Vec3& middle, double tilt) {
   ShapedGroup made;
