@@ -10,6 +10,7 @@ import matplotlib
 
 matplotlib.use("svg")
 matplotlib.rcParams["svg.hashsalt"] = "cdfr"  # the same file from the same figures
+matplotlib.rcParams["svg.fonttype"] = "none"  # text stays text
 matplotlib.rcParams["font.size"] = 8
 import matplotlib.pyplot as plt
 
@@ -30,7 +31,7 @@ def main(source: str, target: str) -> None:
             if (r["max_triangles_per_leaf"], r["max_level"]) == DEFAULT:
                 panel.plot(r["bytes"] / r["triangles"], r["random_ns"], "k*", markersize=9, label="default")
         panel.axvline(400, color="grey", linewidth=0.6, linestyle=":")
-        panel.set(title=f"{mesh}, {own[0]['triangles']:.0f} triangles", xscale="log", xlabel="bytes a triangle")
+        panel.set(title=f"{mesh}, {own[0]['triangles']:.0f} triangles", xlabel="bytes a triangle")
         panel.set_ylim(bottom=0)
     panels[0][0].set_ylabel("random query, ns")
     panels[0][0].legend(fontsize=6)
