@@ -16,6 +16,7 @@
 #include "peers_report.h"
 #include "pointer_chase.h"
 #include "rounds.h"
+#include "targets.h"
 
 namespace cdfr::bench {
 namespace {
@@ -80,6 +81,21 @@ void grid(State& state, const System& system, const std::vector<SampleGrid>& sla
 void build(State& state, const SystemKind& kind, const Mesh& mesh, unsigned threads) {
   std::unique_ptr<System> built;  // outlives the loop: freeing it is not building it
   for (auto _ : state) built = std::move(kind.build(mesh, threads).value());
+  count_items(state, 1);
+}
+
+/// From the mesh in memory to the last of so many answers, one by one. cdfr is told how many there will be.
+void total(State& state, std::size_t system, const Course& course, std::size_t queries) {
+  std::vector<Vec3> points(queries);
+  for (std::size_t i = 0; i < queries; ++i) points[i] = course.random[i % course.random.size()];
+  std::vector<double> out(queries);
+  std::unique_ptr<System> built;
+  for (auto _ : state) {
+    built = std::move((system == 0 ? build_cdfr(course.mesh, {.expected_queries = queries}, 1)
+                                   : system_kinds()[system].build(course.mesh, 1))
+                          .value());
+    built->singles(points, out);
+  }
   count_items(state, 1);
 }
 
@@ -155,6 +171,10 @@ void add_builds(const Model& model, const Effort& effort) {
   add_all("build", model, effort, [](State& state, const Contest& c, std::size_t s) {
     build(state, system_kinds()[s], c.course.mesh, 1);
   });
+  for (const std::size_t queries : total_queries) {
+    add_all("total" + std::to_string(queries), model, effort,
+            [queries](State& state, const Contest& c, std::size_t s) { total(state, s, c.course, queries); });
+  }
   add("build2", "cdfr", model, effort,
       [](State& state, const Contest& c) { build(state, system_kinds()[0], c.course.mesh, 2); });
 }

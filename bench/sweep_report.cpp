@@ -87,7 +87,11 @@ nlohmann::ordered_json row(const Sheet& sheet, const Setting& setting) {
   for (const double queries : query_counts)
     object["seconds"].push_back({{"queries", queries}, {"s", c.seconds(queries)}});
   if (is_rival(setting.name)) return object;
-  object["max_triangles_per_leaf"] = setting.options.max_triangles_per_leaf;
+  if (setting.options.expected_queries > 0) {
+    object["expected_queries"] = setting.options.expected_queries;
+  } else {
+    object["max_triangles_per_leaf"] = setting.options.max_triangles_per_leaf;
+  }
   object["max_level"] = setting.options.max_level;
   for (const std::string& rival : rivals()) object["break_even"][rival] = break_even(c, cost(sheet, rival));
   return object;

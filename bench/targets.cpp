@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+
+#include "system.h"
 
 namespace cdfr::bench {
 namespace {
@@ -52,6 +55,26 @@ double share_of_memory_allowed(const Sheet& sheet) {
   return sheet.fact("cdfr", "bytes") / (400 * sheet.fact("cdfr", "triangles") + 256 * 1024);
 }
 
+/// cdfr's time as a share of the least that a peer takes. NaN without peers.
+template <class Time>
+double share_of_best_peer(Time time) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const SystemKind& peer : peer_kinds()) best = std::fmin(best, time(peer.name));
+  return time("cdfr") / best;
+}
+
+double share_of_total(const Sheet& sheet, std::size_t queries) {
+  const std::string workload = "total" + std::to_string(queries);
+  return share_of_best_peer([&](const char* system) { return time_of(sheet, system, workload.c_str()); });
+}
+
+/// So many that they are not asked: from the time of one. cdfr is not told how many there will be.
+double share_of_many(const Sheet& sheet, double queries) {
+  return share_of_best_peer([&](const char* system) {
+    return time_of(sheet, system, "build") + queries * time_of(sheet, system, "random");
+  });
+}
+
 double gain_of_two_threads(const Sheet& sheet, const std::string& workload) {
   return time_of(sheet, "cdfr", workload.c_str()) / time_of(sheet, "cdfr", (workload + "2").c_str());
 }
@@ -75,6 +98,12 @@ std::vector<Target> targets(const std::vector<Sheet>& sheets) {
       {"worst model, share of 400 bytes a triangle + 256 KiB", false, 1,
        most(over_models(sheets, share_of_memory_allowed))},
   };
+  for (const std::size_t queries : total_queries) {
+    list.push_back({"build and " + std::to_string(queries) + " queries, times as long as the best peer", false, 1.5,
+                    median(over_models(sheets, [&](const Sheet& s) { return share_of_total(s, queries); }))});
+  }
+  list.push_back({"build and 1000000 queries, times as long as the best peer", false, 1,
+                  median(over_models(sheets, [](const Sheet& s) { return share_of_many(s, 1e6); }))});
   for (const char* workload : {"build", "batch", "grid"}) {
     const auto gain = [&](const Sheet& s) { return gain_of_two_threads(s, workload); };
     list.push_back({std::string(workload) + ", times as fast with 2 threads", true, 1.8,

@@ -12,6 +12,7 @@
 #include "geometry/box_distance.h"
 #include "mesh/examine.h"
 #include "octree/build.h"
+#include "octree/list_length.h"
 
 namespace cdfr {
 namespace {
@@ -23,6 +24,14 @@ std::optional<Error> refused(const BuildOptions& options) {
   if (options.max_level < 0 || options.max_level > deepest_level) return bad("max_level must be 0 to 18");
   if (!(options.gain > 0)) return bad("gain must be above 0");
   return std::nullopt;
+}
+
+/// With lists as long as the expected queries want them.
+BuildOptions resolved(BuildOptions options, std::uint64_t triangles) {
+  if (options.expected_queries > 0)
+    options.max_triangles_per_leaf = list_length_for(triangles, options.expected_queries);
+  options.expected_queries = 0;
+  return options;
 }
 
 /// Gives each leaf that no triangle comes into the side that all of it is on, where that is certain. From the
@@ -116,7 +125,7 @@ Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options, Prog
   Result<Examined> examined = examine(mesh, progress);
   if (!examined) return examined.error();
   FieldData field;
-  field.options = options;
+  field.options = resolved(options, mesh.triangles.size());
   field.report = examined->report;
   field.sign = options.sign == Sign::automatic ? field.report.sign() : options.sign;
   field.bvh = std::move(examined->bvh);
@@ -143,7 +152,7 @@ Result<FieldData> build_field(MeshView mesh, const BuildOptions& options, const 
     progress.phase(0.1, 0.2, 1);
     progress.step();
     const Lattice lattice = lattice_for(field->bounds(), options.margin);
-    field->tree = build_octree(field->space(), lattice, options, progress);
+    field->tree = build_octree(field->space(), lattice, field->options, progress);
     if (progress.cancelled()) return;
     derive_scan_groups(*field);
     index_leaves(*field);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/double_double.h"
 #include "geometry/orientation.h"
 #include "geometry/planar_orientation.h"
 #include "geometry/unit_normal.h"
@@ -212,6 +213,28 @@ bool have_common_vertex(const ContactTriangle& a, const ContactTriangle& b) noex
   return is_of_b(a.vertices[0]) || is_of_b(a.vertices[1]) || is_of_b(a.vertices[2]);
 }
 
+/// Is all of the other triangle but common vertices strictly on one side of the plane? Then they meet nowhere
+/// else. The normal is within u of the exact one in each component; differences, products and two sums
+/// round by u each: less than 8u of the products' sizes together. Products below the least double are lost by
+/// less than 2^-1000. False where that leaves it open.
+bool plane_separates(const ContactTriangle& plane, const ContactTriangle& other) noexcept {
+  const Vec3 &v = plane.corners[0], &n = plane.normal;
+  const auto is_common = [&](std::uint32_t vertex) {
+    return vertex == plane.vertices[0] || vertex == plane.vertices[1] || vertex == plane.vertices[2];
+  };
+  bool above = false, below = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (is_common(other.vertices[k])) continue;
+    const Vec3& p = other.corners[k];
+    const double x = (p.x - v.x) * n.x, y = (p.y - v.y) * n.y, z = (p.z - v.z) * n.z;
+    const double height = x + y + z;
+    const double error = (std::fabs(x) + std::fabs(y) + std::fabs(z)) * (8 * unit_roundoff) + 0x1p-1000;
+    if (std::fabs(height) <= error) return false;
+    (height > 0 ? above : below) = true;
+  }
+  return above != below;
+}
+
 bool meet_beside_common(ContactTriangle a, ContactTriangle b, int axis) noexcept {
   const int common = common_first(a, b);
   if (common == 1) return meet_beside_corner(a.corners, b.corners, axis);
@@ -219,6 +242,7 @@ bool meet_beside_common(ContactTriangle a, ContactTriangle b, int axis) noexcept
 }
 
 bool meet(const ContactTriangle& a, const ContactTriangle& b, int axis) noexcept {
+  if (plane_separates(a, b) || plane_separates(b, a)) return false;
   if (have_common_vertex(a, b)) return meet_beside_common(a, b, axis);
   return meet_apart(a.corners, b.corners, axis);
 }

@@ -20,11 +20,13 @@ namespace cdfr {
 struct ContactTriangle {
   std::array<Vec3, 3> corners;
   std::array<std::uint32_t, 3> vertices;
+  Vec3 normal = {};  ///< unit_normal rounded to double, or zero if it is not known
 };
 
 /// One triangle that is asked about many others.
 class ContactProbe {
  public:
+  ContactProbe() = default;
   /// Preconditions here and below: coordinates as in query_range.h.
   explicit ContactProbe(const ContactTriangle& triangle) noexcept;
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <limits>
+#include <span>
 
 #include "core/parallel.h"
 #include "geometry/box_distance.h"
@@ -10,11 +13,16 @@
 namespace cdfr {
 namespace {
 
-/// About a millisecond of work.
-constexpr std::size_t chunk_size = 512;
+/// Groups that a task looks at, neighbours as a rule: a few milliseconds of work.
+constexpr std::size_t chunk_size = 128;
+
+std::uint32_t slot_of(std::size_t group, std::uint32_t lane) noexcept {
+  return static_cast<std::uint32_t>(group * group_size) + lane;
+}
 
 ContactTriangle triangle_at(const TriangleStore& triangles, std::uint32_t slot) noexcept {
-  return {triangles.shape(slot).vertices, triangles.records[slot].vertices};
+  const TriangleShape& shape = triangles.shape(slot);
+  return {shape.vertices, triangles.records[slot].vertices, rounded(shape.normal)};
 }
 
 Box box_of(const std::array<Vec3, 3>& t) noexcept {
@@ -24,64 +32,111 @@ Box box_of(const std::array<Vec3, 3>& t) noexcept {
           {most(&Vec3::x), most(&Vec3::y), most(&Vec3::z)}};
 }
 
-/// One bit a lane: the triangle's box overlaps that box.
-unsigned overlapping_lanes(const TriangleGroup& group, const Box& box) noexcept {
-  const double lo[3] = {box.lo.x, box.lo.y, box.lo.z};
-  const double hi[3] = {box.hi.x, box.hi.y, box.hi.z};
-  bool meets[group_size];
-  std::fill_n(meets, group_size, true);
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto &a = group.vertices[0][axis], &b = group.vertices[1][axis], &c = group.vertices[2][axis];
-    for (std::size_t lane = 0; lane < group_size; ++lane) {
-      const double least = std::min(std::min(a[lane], b[lane]), c[lane]);
-      const double most = std::max(std::max(a[lane], b[lane]), c[lane]);
-      meets[lane] = meets[lane] & (least <= hi[axis]) & (most >= lo[axis]);
-    }
+/// The boxes of a group's triangles side by side: [axis][lane].
+struct GroupBoxes {
+  double lo[3][group_size], hi[3][group_size];
+
+  void set(std::size_t lane, const Box& box) noexcept {
+    lo[0][lane] = box.lo.x, lo[1][lane] = box.lo.y, lo[2][lane] = box.lo.z;
+    hi[0][lane] = box.hi.x, hi[1][lane] = box.hi.y, hi[2][lane] = box.hi.z;
   }
-  unsigned bits = 0;
-  for (std::size_t lane = 0; lane < group_size; ++lane) bits |= unsigned{meets[lane]} << lane;
-  return bits;
+  Box box(std::size_t lane) const noexcept {
+    return {{lo[0][lane], lo[1][lane], lo[2][lane]}, {hi[0][lane], hi[1][lane], hi[2][lane]}};
+  }
+  /// One bit a lane: the triangle's box overlaps that box.
+  unsigned overlapping(const Box& b) const noexcept {
+    unsigned bits = 0;
+    for (std::size_t lane = 0; lane < group_size; ++lane) {
+      const bool meets = (lo[0][lane] <= b.hi.x) & (hi[0][lane] >= b.lo.x) & (lo[1][lane] <= b.hi.y) &
+                         (hi[1][lane] >= b.lo.y) & (lo[2][lane] <= b.hi.z) & (hi[2][lane] >= b.lo.z);
+      bits |= unsigned{meets} << lane;
+    }
+    return bits;
+  }
+};
+
+/// Lanes without a triangle overlap nothing.
+std::vector<GroupBoxes> boxes_of(const TriangleStore& triangles) {
+  std::vector<GroupBoxes> boxes(triangles.group_count());
+  for_chunks(boxes.size(), chunk_size, [&](std::size_t first, std::size_t end) {
+    for (std::size_t g = first; g < end; ++g) {
+      for (std::uint32_t lane = 0; lane < group_size; ++lane) {
+        const std::uint32_t slot = slot_of(g, lane);
+        constexpr double none = std::numeric_limits<double>::infinity();
+        const Box empty{{none, none, none}, {-none, -none, -none}};
+        boxes[g].set(lane, slot < triangles.size() ? box_of(triangles.shape(slot).vertices) : empty);
+      }
+    }
+  });
+  return boxes;
 }
 
+/// The triangles of one group after another, each against all others until it meets one. By slot; a task has
+/// slots of its own.
 class Search {
  public:
-  Search(SearchSpace space, std::uint32_t slot) noexcept
-      : space_(space), slot_(slot), triangle_(triangle_at(space.triangles, slot)), probe_(triangle_) {}
+  Search(SearchSpace space, const std::vector<GroupBoxes>& boxes, std::span<std::uint8_t> contacts,
+         std::size_t first_group) noexcept
+      : space_(space), boxes_(boxes), contacts_(contacts), first_slot_(slot_of(first_group, 0)) {}
 
-  bool finds_contact() const noexcept {
-    if (!probe_.has_area()) return false;
-    const Box box = box_of(triangle_.corners);
-    const std::vector<BvhNode>& nodes = space_.bvh.nodes;
-    return !walk(
-        space_.bvh, 0, [&](std::uint32_t index) { return overlap(box, nodes[index].box); },
-        [&](std::uint32_t index) { return !meets_one_of(nodes[index].first_group, box); });
+  void run(std::size_t group) {
+    group_ = group;
+    open_ = 0;
+    Box box = boxes_[group].box(0);
+    for (std::uint32_t lane = 0; lane < space_.triangles.lanes(static_cast<std::uint32_t>(group)); ++lane) {
+      probes_[lane] = ContactProbe(triangle_at(space_.triangles, slot_of(group, lane)));
+      box = united(box, boxes_[group].box(lane));
+      if (probes_[lane].has_area()) open_ |= 1U << lane;
+    }
+    walk(
+        space_.bvh, 0, [&](std::uint32_t index) { return overlap(box, space_.bvh.nodes[index].box); },
+        [&](std::uint32_t index) {
+          look_at(space_.bvh.nodes[index].first_group);
+          return open_ != 0;
+        });
   }
 
  private:
-  bool meets_one_of(std::uint32_t number, const Box& box) const noexcept {
-    unsigned lanes = overlapping_lanes(space_.triangles.group(number), box);
-    lanes &= (1U << space_.triangles.lanes(number)) - 1;
-    for (std::uint32_t other = number * group_size; lanes != 0; lanes >>= 1, ++other) {
-      if ((lanes & 1) == 0 || other == slot_) continue;
-      if (probe_.meets(triangle_at(space_.triangles, other))) return true;
+  void look_at(std::uint32_t other_group) {
+    for (unsigned left = open_; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+      unsigned others = boxes_[other_group].overlapping(boxes_[group_].box(lane));
+      for (; others != 0; others &= others - 1) {
+        const auto other = slot_of(other_group, static_cast<std::uint32_t>(std::countr_zero(others)));
+        if (!meets(lane, other)) continue;
+        contacts_[slot_of(group_, lane)] = 1;
+        open_ &= ~(1U << lane);
+        break;
+      }
     }
-    return false;
+  }
+
+  /// An earlier one of this task that met none has been tried on this one too, or has no area.
+  bool meets(std::uint32_t lane, std::uint32_t other) const {
+    const std::uint32_t own = slot_of(group_, lane);
+    if (other == own || (other >= first_slot_ && other < own && contacts_[other] == 0)) return false;
+    return probes_[lane].meets(triangle_at(space_.triangles, other));
   }
 
   SearchSpace space_;
-  std::uint32_t slot_;
-  ContactTriangle triangle_;
-  ContactProbe probe_;
+  const std::vector<GroupBoxes>& boxes_;
+  std::span<std::uint8_t> contacts_;
+  std::uint32_t first_slot_;
+  std::size_t group_ = 0;
+  std::array<ContactProbe, group_size> probes_;
+  unsigned open_ = 0;  ///< a bit for each triangle with an area that has met none so far
 };
 
 }  // namespace
 
 std::vector<std::uint8_t> self_contacts(SearchSpace space, Progress& progress) {
+  const std::vector<GroupBoxes> boxes = boxes_of(space.triangles);
   std::vector<std::uint8_t> contacts(space.triangles.size(), 0);
-  for_chunks(contacts.size(), chunk_size, [&](std::size_t first, std::size_t end) {
-    if (!progress.poll()) return;
-    for (std::size_t slot = first; slot < end; ++slot) {
-      contacts[slot] = Search(space, static_cast<std::uint32_t>(slot)).finds_contact() ? 1 : 0;
+  for_chunks(boxes.size(), chunk_size, [&](std::size_t first, std::size_t end) {
+    Search search(space, boxes, contacts, first);
+    for (std::size_t group = first; group < end; ++group) {
+      if (group % 16 == 0 && !progress.poll()) return;
+      search.run(group);
     }
   });
   return contacts;

@@ -60,6 +60,12 @@ std::vector<Pending> cut_into_blocks(SearchSpace space, const RefineOptions& ref
   return seeds;
 }
 
+/// Lists of so many triangles are taken apart to groups: those that splits will bring down to a leaf's length.
+/// Much longer ones cost less as nodes of the BVH, in the build and in a query, which descends into few.
+std::uint64_t opened_below(int max_triangles_per_leaf) noexcept {
+  return std::clamp<std::uint64_t>(16 * static_cast<std::uint64_t>(max_triangles_per_leaf), 1024, 4096);
+}
+
 /// A block's share of the octree's leaves goes by its list. With the gain test off all splits are wanted.
 std::uint64_t most_leaves(const BuildOptions& options, std::uint64_t triangles, std::uint64_t listed,
                           std::uint64_t listed_in_all) noexcept {
@@ -87,9 +93,7 @@ Octree build_octree(SearchSpace space, const Lattice& lattice, const BuildOption
                     Progress& progress) {
   Octree tree;
   tree.lattice = lattice;
-  const RefineOptions refining{
-      options.lists,
-      std::max<std::uint64_t>(1024, 16 * static_cast<std::uint64_t>(options.max_triangles_per_leaf))};
+  const RefineOptions refining{options.lists, opened_below(options.max_triangles_per_leaf)};
   Scratches scratches;
   std::vector<Pending> seeds = cut_into_blocks(space, refining, scratches, tree, progress);
   std::uint64_t rooted = 0;

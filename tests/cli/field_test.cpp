@@ -158,5 +158,21 @@ TEST_F(FieldTest, AMeshIsNoFieldForBuildAndAudit) {
   }
 }
 
+TEST_F(FieldTest, QueriesChooseTheListsAndChangeNoAnswer) {
+  const std::string head = part("six-star", "star.stl");
+  put("p.csv", "x,y,z\n1,2,3\n0.5,0,1\n-7,4,2\n");
+  const auto answers = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"query", head, "--points", path("p.csv"), "-o", "-"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments).output;
+  };
+  EXPECT_EQ(answers({"--queries", "1"}), answers({}));
+  const json built =
+      run({"build", head, "-o", path("few.cdfr"), "--queries", "1", "--json", "--quiet"}).json();
+  EXPECT_GE(built["options"]["max_triangles"].get<int>() * 2, built["triangles"].get<int>());
+  EXPECT_EQ(run({"build", head, "-o", path("x.cdfr"), "--queries", "0"}).status, 2);
+  EXPECT_EQ(run({"build", head, "-o", path("x.cdfr"), "--queries", "9", "--max-triangles", "8"}).status, 2);
+}
+
 }  // namespace
 }  // namespace cdfr

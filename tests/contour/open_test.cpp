@@ -6,6 +6,7 @@
 
 #include "contour/case.h"
 #include "contour/coverage.h"
+#include "oracle/point_count.h"
 #include "support/joined.h"
 #include "support/meshes.h"
 
@@ -48,10 +49,11 @@ TEST(ContourOfOpenMesh, OfACapAndOfASoupHasNoGhosts) {
     return cap.vertices[t[0]].z + cap.vertices[t[1]].z + cap.vertices[t[2]].z < -0.6;
   });
   for (Vec3& v : cap.vertices) v = {v.x, 0.8 * v.y - 0.6 * v.z, 0.6 * v.y + 0.8 * v.z};
-  expect_whole(test::Case(cap), 0.2, 0.08);
-  expect_whole(test::Case(cap), -0.2, 0.08);
+  const double tolerance = oracle::light_run() ? 0.16 : 0.08;
+  expect_whole(test::Case(cap), 0.2, tolerance);
+  expect_whole(test::Case(cap), -0.2, tolerance);
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    expect_whole(test::Case(test::soup(5, {{0, 0, 0}, {1, 1, 1}}, seed)), 0.1, 0.08);
+    expect_whole(test::Case(test::soup(5, {{0, 0, 0}, {1, 1, 1}}, seed)), 0.1, tolerance);
   }
 }
 

@@ -39,8 +39,8 @@ BuildOptions with_depth(int level) {
   return options;
 }
 
-/// Two million triangles in long runs, 32,768 else.
-int ball_divisions() { return oracle::short_run() ? 6 : 9; }
+/// Two million triangles in long runs, 32,768 else, 8,192 in light ones.
+int ball_divisions() { return oracle::light_run() ? 5 : oracle::short_run() ? 6 : 9; }
 
 TEST(EqualDistances, ABallWithItsCentreInACell) {
   const Vec3 centre{0.01, 0.02, 0.03};

@@ -12,11 +12,7 @@ run("the installed command" ${prefix}/bin/cdfr --version)
 foreach(package IN ITEMS Eigen3 nlohmann_json FastFloat CLI11 GTest benchmark)
   list(APPEND unneeded -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
-set(flags)
-if(SANITIZE)
-  set(flags "-DCMAKE_CXX_FLAGS=-fsanitize=${SANITIZE}")
-endif()
-consume(${SCRATCH}/build -DCMAKE_PREFIX_PATH=${prefix} ${unneeded} ${flags})
+consume(${SCRATCH}/build -DCMAKE_PREFIX_PATH=${prefix} ${unneeded})
 
 # Until 1.0 a minor version may break: another one is not accepted.
 file(WRITE ${SCRATCH}/newer/CMakeLists.txt

@@ -24,4 +24,6 @@ std::size_t point_count(std::size_t triangles) {
 
 bool short_run() { return wanted_points().value_or(0) < 1000; }
 
+bool light_run() { return wanted_points().value_or(1000) < 100; }
+
 }  // namespace cdfr::oracle

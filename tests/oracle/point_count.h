@@ -11,4 +11,8 @@ std::size_t point_count(std::size_t triangles);
 /// Too few points to spend long on building leaves for them.
 bool short_run();
 
+/// Fewer than 100 points asked for, as tools/test does under the sanitizers: what counts is that each branch
+/// is taken, and tests that take long do so on less.
+bool light_run();
+
 }  // namespace cdfr::oracle

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cdfr/parts/part.h"
+#include "oracle/point_count.h"
 #include "parts/depth_probe.h"
 #include "parts/mesh_check.h"
 
@@ -53,6 +54,8 @@ TEST(CylinderHead, EveryVerticalLineEntersAndLeavesInTurn) {
 }
 
 TEST(CylinderHead, NothingElseIsDeeperThanSevenPointFour) {
+  // The search is the test's own code, and long.
+  if (oracle::light_run()) GTEST_SKIP() << "left to runs without sanitizers";
   std::size_t found = 0;
   for (const DepthProbe::Place& place : probe().deeper_than(7.4, 0.2)) {
     ASSERT_TRUE(in_block(place.point))

@@ -24,6 +24,20 @@ std::string range_text(const Range& range) {
   return "a number from " + short_text(range.least) + " to " + short_text(range.greatest);
 }
 
+template <class Count>
+CLI::Option* add_whole(CLI::App& verb, const std::string& name, Count& target, Count least, Count greatest,
+                       const std::string& description) {
+  const auto set = [name, least, greatest, &target](const std::string& word) {
+    Count value = 0;
+    if (!parse(word, value) || value < least || value > greatest) {
+      throw CLI::ValidationError(name, "'" + word + "' is not a whole number from " + std::to_string(least) +
+                                           " to " + std::to_string(greatest));
+    }
+    target = value;
+  };
+  return verb.add_option_function<std::string>(name, set, description)->type_name("COUNT");
+}
+
 }  // namespace
 
 CLI::Option* add_number(CLI::App& verb, const std::string& name, double& target, const Range& range,
@@ -40,15 +54,12 @@ CLI::Option* add_number(CLI::App& verb, const std::string& name, double& target,
 
 CLI::Option* add_count(CLI::App& verb, const std::string& name, int& target, int least, int greatest,
                        const std::string& description) {
-  const auto set = [name, least, greatest, &target](const std::string& word) {
-    int value = 0;
-    if (!parse(word, value) || value < least || value > greatest) {
-      throw CLI::ValidationError(name, "'" + word + "' is not a whole number from " + std::to_string(least) +
-                                           " to " + std::to_string(greatest));
-    }
-    target = value;
-  };
-  return verb.add_option_function<std::string>(name, set, description)->type_name("COUNT");
+  return add_whole(verb, name, target, least, greatest, description);
+}
+
+CLI::Option* add_count(CLI::App& verb, const std::string& name, std::uint64_t& target, std::uint64_t least,
+                       std::uint64_t greatest, const std::string& description) {
+  return add_whole(verb, name, target, least, greatest, description);
 }
 
 }  // namespace cdfr::command

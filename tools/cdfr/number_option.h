@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -19,5 +20,8 @@ CLI::Option* add_number(CLI::App& verb, const std::string& name, double& target,
 
 CLI::Option* add_count(CLI::App& verb, const std::string& name, int& target, int least, int greatest,
                        const std::string& description);
+
+CLI::Option* add_count(CLI::App& verb, const std::string& name, std::uint64_t& target, std::uint64_t least,
+                       std::uint64_t greatest, const std::string& description);
 
 }  // namespace cdfr::command

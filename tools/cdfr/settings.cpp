@@ -68,6 +68,8 @@ void add_build_options(CLI::App& verb, Settings& settings) {
   settings.build_options = {
       add_count(verb, "--max-triangles", build.max_triangles_per_leaf, 1, std::numeric_limits<int>::max(),
                 "A cell with a longer list splits, if splitting pays (160)"),
+      add_count(verb, "--queries", build.expected_queries, 1, std::uint64_t{1} << 60,
+                "About how many queries will follow: list lengths for which build and queries take least"),
       add_count(verb, "--max-level", build.max_level, 0, deepest_level, "Deepest level of a leaf (5)"),
       add_number(verb, "--margin", build.margin, {0, 1},
                  "The domain is the part's box grown by this share of its longest side (0.05)"),
@@ -80,6 +82,7 @@ void add_build_options(CLI::App& verb, Settings& settings) {
       verb.add_flag("--flip", settings.flip,
                     "Turn the mesh inside out first: front and back of every triangle change places"),
   };
+  verb.get_option("--queries")->excludes("--max-triangles");
   for (const CLI::Option* option : settings.build_options) {
     verb.get_option(option->get_name())->group("Build options (where INPUT is a mesh)");
   }

@@ -78,6 +78,7 @@ class CDFR_API Field {
   Sign sign() const noexcept;
   /// What the audit found when the field was built.
   const MeshReport& report() const noexcept;
+  /// As they were given, but for lists: expected_queries is 0, and max_triangles_per_leaf what was chosen.
   BuildOptions options() const noexcept;
   /// O(leaves).
   Stats stats() const;

@@ -19,6 +19,10 @@ struct BuildOptions {
   double margin = 0.05;
   /// A cell with a longer list splits, if splitting pays. At least 1.
   int max_triangles_per_leaf = 160;
+  /// About how many queries the field will answer. If it is not 0, max_triangles_per_leaf is chosen anew, so
+  /// that the build and they take least: few queries get a field that is little more than a BVH. The default
+  /// lists suit ten million. Answers never depend on it.
+  std::uint64_t expected_queries = 0;
   /// Deepest level of a leaf, 0 to 18; level 0 cells are the cubes of the brick.
   int max_level = 5;
   /// A split is kept if the children's mean list is at most this share of the parent's, and there are about
