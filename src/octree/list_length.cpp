@@ -5,17 +5,17 @@
 namespace cdfr {
 namespace {
 
-constexpr double shortest = 160;
+constexpr double shortest = 320;
 
 // Measured on spot (23,062 triangles), NIST part 2 (33,664) and a cylinder head (134,480), lists of 160 to
 // 2560. Surfaces are thin: a split halves a cell's list or quarters it, and makes up to eight leaves. With
-// lists of m triangles there were 1000 to 2000 n m^-1.5 leaves, and each took 7 to 12 us to make. A query
-// took 1 to 2 us, and 1.5 to 2 ns more for each triangle of its list, which is 0.4 m in the mean. What any
+// lists of m triangles there were 1000 to 2000 n m^-1.5 leaves, and each took 5 to 12 us to make. A query
+// took 0.6 to 1.3 us, and 0.5 ns more for each triangle of its list, which is 0.4 m in the mean. What any
 // build or query takes besides does not matter for the choice. A model that is off by a factor of two moves
-// the optimum, m = (3/2 * 1600 n * 10 us / (queries * 0.7 ns))^0.4, by a third, and the time there hardly.
+// the optimum, m = (3/2 * 1600 n * 10 us / (queries * 0.2 ns))^0.4, by a third, and the time there hardly.
 constexpr double leaves_a_triangle = 1600;
 constexpr double leaf_microseconds = 10;
-constexpr double scan_microseconds = 0.0007;
+constexpr double scan_microseconds = 0.0002;
 
 /// Square roots are the same on any processor, other powers are not.
 double microseconds(double length, double triangles, double queries) noexcept {

@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/box_distance.h"
 #include "geometry/scan_cases.h"
+#include "mesh/bvh.h"
 #include "octree/scan.h"
 
 namespace cdfr::test {
@@ -31,6 +33,7 @@ struct Scene {
   std::vector<ShapedGroup> groups;
   std::vector<ScanGroup> scan_groups;
   std::vector<Entry> list;
+  Bvh bvh;
   Vec3 centre;
   double size = 0;
 
@@ -54,8 +57,20 @@ struct Scene {
     return {at(centre.x, 0), at(centre.y, 1), at(centre.z, 2)};
   }
 
-  /// cdfr::scan of the list.
+  /// A binary tree over all groups, whose node 0 may then stand in the list for any of them.
+  void grow_tree() {
+    bvh.nodes.clear();
+    grow_tree(0, static_cast<std::uint32_t>(groups.size()));
+  }
+
+  /// cdfr::scan of the list. False if that does not find all.
   bool scan(const Vec3& p, Candidates& candidates) const {
+    TriangleStore triangles;
+    triangles.records.resize(groups.size() * group_size);
+    Lattice lattice;
+    lattice.origin = origin;
+    lattice.edge = edge;
+    lattice.bricks = {8, 8, 8};
     const Vec3 a = in_edges(p), b = in_edges(centre);
     Located leaf;
     leaf.entries = list;
@@ -64,10 +79,27 @@ struct Scene {
     leaf.size = size;
     Shortlist shortlist;
     shorten(scan_groups.data(), leaf, shortlist);
-    return cdfr::scan(scan_groups.data(), a, leaf, shortlist, candidates);
+    cdfr::scan({triangles, scan_groups.data(), bvh, lattice}, p, a, leaf, shortlist, candidates);
+    return candidates.complete;
   }
 
  private:
+  void grow_tree(std::uint32_t first, std::uint32_t end) {
+    const std::size_t place = bvh.nodes.size();
+    BvhNode node{{groups[first].group.vertex(0, 0), groups[first].group.vertex(0, 0)}, first, end};
+    for (std::uint32_t g = first; g < end; ++g) {
+      for (const TriangleShape& shape : groups[g].shapes) {
+        for (const Vec3& v : shape.vertices) node.box = united(node.box, {v, v});
+      }
+    }
+    bvh.nodes.push_back(node);
+    if (node.is_group()) return;
+    const std::uint32_t middle = first + (end - first) / 2;
+    grow_tree(first, middle);
+    grow_tree(middle, end);
+    bvh.nodes[place] = node;
+  }
+
   /// In edges, rounded down.
   double least_squared(const Vec3& p, std::uint32_t number, std::uint8_t lanes) const {
     double least = HUGE_VAL;

@@ -67,7 +67,7 @@ void add_build_options(CLI::App& verb, Settings& settings) {
   BuildOptions& build = settings.build;
   settings.build_options = {
       add_count(verb, "--max-triangles", build.max_triangles_per_leaf, 1, std::numeric_limits<int>::max(),
-                "A cell with a longer list splits, if splitting pays (160)"),
+                "A cell with a longer list splits, if splitting pays (320)"),
       add_count(verb, "--queries", build.expected_queries, 1, std::uint64_t{1} << 60,
                 "About how many queries will follow: list lengths for which build and queries take least"),
       add_count(verb, "--max-level", build.max_level, 0, deepest_level, "Deepest level of a leaf (5)"),

@@ -18,7 +18,7 @@ struct BuildOptions {
   /// slower.
   double margin = 0.05;
   /// A cell with a longer list splits, if splitting pays. At least 1.
-  int max_triangles_per_leaf = 160;
+  int max_triangles_per_leaf = 320;
   /// About how many queries the field will answer. If it is not 0, max_triangles_per_leaf is chosen anew, so
   /// that the build and they take least: few queries get a field that is little more than a BVH. The default
   /// lists suit ten million. Answers never depend on it.
