@@ -23,7 +23,7 @@ constexpr std::uint32_t chunk_side = 32;
 /// Samples of a tile along each axis: TilePoints::most of them.
 constexpr std::uint32_t tile_side = 4;
 /// Fewer samples than this in a leaf are asked one by one: preparing the list would cost more.
-constexpr std::size_t fewest = 12;
+constexpr std::size_t fewest = 3;
 /// For fewer samples than this, dropping triangles takes longer than asking the samples about them.
 constexpr std::size_t fewest_to_prune = 49;
 /// Triangles that a tile tells apart by the bits of a word.
@@ -85,7 +85,7 @@ class GridChunk {
       squared += (hi - lo) * (hi - lo) / 4;
     }
     if (count_of(samples) < fewest ||
-        !list_.fill(field_.triangles, field_.scan_groups.data(), field_.tree.lattice, leaf.entries,
+        !list_.fill(field_.triangles, field_.tree.lattice, leaf.entries,
                     {middle_[0], middle_[1], middle_[2]}, std::sqrt(squared))) {
       return all_singly(samples);
     }

@@ -63,22 +63,23 @@ TileTriangle seen_from(const TriangleGroup& group, std::uint32_t lane, const Lat
 
 }  // namespace
 
-bool TileList::fill(const TriangleStore& store, const ScanGroup* groups, const Lattice& lattice,
+bool TileList::fill(const TriangleStore& store, const Lattice& lattice,
                     std::span<const Entry> list, const Vec3& middle, double radius) {
   triangles.clear();
-  float widest = 0;
+  float longest = 0;
   for (const Entry& entry : list) {
     if (!entry.is_group()) return false;
-    widest = std::max(widest, groups[entry.number()].reach());
     for (unsigned lanes = entry.lanes(); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
       triangles.push_back(seen_from(store.groups[entry.number()], lane, lattice, middle));
+      const TileTriangle& t = triangles.back();
+      longest = std::max({longest, t.ab.length, t.bc.length, t.ca.length});
       triangles.back().slot = entry.number() * static_cast<std::uint32_t>(group_size) + lane;
       name_features(triangles.back(), store.records[triangles.back().slot]);
     }
     if (triangles.size() > most) return false;
   }
-  reach = (widest + 2 * static_cast<float>(radius)) * (1 + tile_error);
+  reach = (std::sqrt(longest) + static_cast<float>(radius)) * (1 + tile_error);
   return true;
 }
 

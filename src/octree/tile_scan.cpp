@@ -72,11 +72,12 @@ HWY_INLINE unsigned bits_of(hn::Mask<Tag> mask) {
   return (bytes[0] | unsigned{bytes[1]} << 8) & ((1U << lane_count) - 1);
 }
 
-/// (sqrt((t + k (t + reach) + f)^2 + m) + k reach + f) (1 + 2 k), squared.
+/// (sqrt(U^2 + s^2 + m) + k reach + f) (1 + 2 k), squared: tile_scan.h has what it rules out.
 HWY_INLINE Vector beyond(Vector squared, float reach, float m) {
   const float slack = tile_error * reach + scan_floor;
   const Vector upper = hn::MulAdd(hn::Sqrt(squared), set(1 + tile_error), set(slack));
-  const Vector root = hn::Sqrt(hn::MulAdd(upper, upper, set(m)));
+  const Vector slip = hn::Mul(set(tile_slip), hn::Add(upper, set(reach)));
+  const Vector root = hn::Sqrt(hn::MulAdd(upper, upper, hn::MulAdd(slip, slip, set(m))));
   const Vector threshold = hn::Mul(hn::Add(root, set(slack)), set(1 + 2 * tile_error));
   return hn::Mul(threshold, threshold);
 }
@@ -246,7 +247,7 @@ HWY_INLINE void scan_vector(const TileList& list, TileNumbers numbers, const Vec
     for (; within != 0; within &= within - 1) kept[std::countr_zero(within)] |= std::uint64_t{1} << n;
   }
   // Where the distance is about zero, the kernel asks for more than the place.
-  const float slack = 2 * (tile_error * list.reach + scan_floor);
+  const float slack = 2 * (tile_slip * list.reach + scan_floor);
   several &= bits_of(hn::Gt(least, set(slack * slack)));
   if (several != 0) share_features(list, numbers, p, reject, several, squared, kept);
 }
