@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "field/contests.h"
+#include "field/feature_runs.h"
 #include "field/grid_axes.h"
 #include "field/query.h"
 #include "octree/tile_scan.h"
@@ -37,8 +38,8 @@ class GridChunk {
         grid_(grid),
         axes_(axes),
         out_(out),
-        alone_(field, out),
-        several_(field, out),
+        contests_(field, out),
+        runs_(field, out, contests_),
         is_origin_(field.bounds() == Box{}) {
     list_.triangles.reserve(TileList::most + group_size);
   }
@@ -51,8 +52,7 @@ class GridChunk {
         for (std::uint32_t i = chunk[0].first; i < chunk[0].end;) i = from({i, j, k}, chunk);
       }
     }
-    alone_.settle();
-    several_.settle();
+    contests_.settle();
     return true;
   }
 
@@ -78,6 +78,7 @@ class GridChunk {
 
   void in_leaf(const Stretches& samples, const Located& leaf) {
     side_ = leaf.side;
+    runs_.begin(side_);
     double squared = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const double lo = axes_.at(axis, samples[axis].first), hi = axes_.at(axis, samples[axis].end - 1);
@@ -93,6 +94,7 @@ class GridChunk {
     const std::size_t count = list_.triangles.size();
     for (std::size_t n = 0; n < count; ++n) numbers[n] = static_cast<std::uint16_t>(n);
     divide(samples, {numbers.data(), count});
+    runs_.settle();
   }
 
   /// Halves each axis that is longer than a tile.
@@ -145,10 +147,16 @@ class GridChunk {
       for (int axis = 0; axis < 3; ++axis) points.at[axis][points.count] = coordinate(axis, sample[axis]);
       ++points.count;
     });
-    std::array<std::uint64_t, TilePoints::most> kept;
-    scan_tile(list_, numbers, points, kept.data());
+    std::array<TileFinding, TilePoints::most> found;
+    scan_tile(list_, numbers, points, found.data());
     std::size_t number = 0;
-    for_samples(samples, [&](const Sample& sample) { contest(sample, numbers, kept[number++]); });
+    for_samples(samples, [&](const Sample& sample) { take(sample, numbers, found[number++]); });
+  }
+
+  void take(const Sample& sample, TileNumbers numbers, const TileFinding& found) {
+    if (found.place == unsure_place) return contest(sample, numbers, found.kept);
+    const std::size_t number = numbers[static_cast<std::size_t>(std::countr_zero(found.kept))];
+    runs_.add(place(sample), axes_.point(sample), list_.triangles[number].slot, number, found.place);
   }
 
   void contest(const Sample& sample, TileNumbers numbers, std::uint64_t kept) {
@@ -158,7 +166,7 @@ class GridChunk {
       if (count == slots.size()) return singly(sample);
       slots[count++] = list_.triangles[numbers[static_cast<std::size_t>(std::countr_zero(kept))]].slot;
     }
-    (count == 1 ? alone_ : several_).add(place(sample), axes_.point(sample), side_, {slots.data(), count});
+    contests_.add(place(sample), axes_.point(sample), side_, {slots.data(), count});
   }
 
   template <class Visit>
@@ -183,8 +191,8 @@ class GridChunk {
   const GridAxes& axes_;
   std::span<double> out_;
   TileList list_;
-  // Apart, since these lie on faces mostly, and those on edges and vertices.
-  Contests alone_, several_;
+  Contests contests_;
+  FeatureRuns runs_;
   std::array<double, 3> middle_{};  ///< of the leaf's samples, in edges
   Side side_ = Side::undecided;
   const bool is_origin_;  ///< the mesh: queries may have to be scaled

@@ -160,6 +160,7 @@ std::size_t prune_here(const TileList& list, TileNumbers numbers, const TileBox&
 struct Places {
   Vector lowest, highest;
   hn::Mask<Tag> outside;  ///< the projection is certainly not on the face
+  hn::Mask<Tag> inside;   ///< it certainly is
 };
 
 /// Lets an edge join in. Its own place is `between`, its ends' are at_from and at_to.
@@ -173,23 +174,28 @@ HWY_INLINE void join(const Vector3& r, const TileTriangle::Edge& edge, float bet
   const auto may_be_closest = hn::Le(from_edge(r, edge), most);
   places.lowest = hn::IfThenElse(may_be_closest, hn::Min(places.lowest, place), places.lowest);
   places.highest = hn::IfThenElse(may_be_closest, hn::Max(places.highest, place), places.highest);
-  places.outside = hn::Or(places.outside, hn::Lt(dot(r, edge.inwards), hn::Neg(doubt)));
+  const Vector side = dot(r, edge.inwards);
+  places.outside = hn::Or(places.outside, hn::Lt(side, hn::Neg(doubt)));
+  places.inside = hn::And(places.inside, hn::Gt(side, doubt));
 }
 
-/// Where on the triangle's border the kernel certainly finds the foot, or unsure_place. The triangle's own
-/// least estimate is at most `reject`.
-HWY_INLINE Vector border_place(const Vector3& p, const TileTriangle& t, Vector reject, float reach) {
+/// Where on the triangle the kernel certainly finds the foot, or unsure_place. The triangle's own least
+/// estimate is at most `reject`; `is_apart` where the distance is certainly not zero.
+HWY_INLINE Vector sure_place(const Vector3& p, const TileTriangle& t, Vector reject, hn::Mask<Tag> is_apart,
+                             float reach) {
   const Tag d;
   const Vector3 from_a = minus(p, t.a), from_b = minus(p, t.b);
   const Vector size = hn::Add(hn::Sqrt(reject), set(reach));
   const Vector doubt = hn::Mul(set(place_doubt), hn::Mul(size, size));
   const Vector most = beyond(reject, reach, 0);
-  Places places{set(unsure_place), hn::Zero(d), hn::FirstN(d, 0)};
+  Places places{set(unsure_place), hn::Zero(d), hn::FirstN(d, 0), hn::FirstN(d, lane_count)};
   join(from_a, t.ab, 1, 4, 5, doubt, most, places);
   join(from_b, t.bc, 2, 5, 6, doubt, most, places);
   join(from_a, t.ca, 3, 4, 6, doubt, most, places);
-  const auto sure = hn::And(places.outside, hn::Eq(places.lowest, places.highest));
-  return hn::IfThenElse(sure, places.lowest, set(unsure_place));
+  const auto agree = hn::And(is_apart, hn::Eq(places.lowest, places.highest));
+  const Vector place =
+      hn::IfThenElse(hn::And(places.outside, agree), places.lowest, set(unsure_place));
+  return hn::IfThenElse(places.inside, hn::Zero(d), place);
 }
 
 /// Of triangles whose feet certainly are the same edge's or vertex's, one stays.
@@ -201,7 +207,7 @@ HWY_INLINE std::uint64_t distinct(const TileList& list, TileNumbers numbers,
   for (; within != 0; within &= within - 1) {
     const auto n = static_cast<std::size_t>(std::countr_zero(within));
     const auto place = static_cast<std::size_t>(places[n][lane]);
-    if (place != unsure_place) {
+    if (place != 0 && place != unsure_place) {
       const std::uint64_t feature = list.triangles[numbers[n]].features[place - 1];
       if (std::find(seen, seen + seen_count, feature) != seen + seen_count) continue;
       if (seen_count < most_seen) seen[seen_count++] = feature;
@@ -211,24 +217,29 @@ HWY_INLINE std::uint64_t distinct(const TileList& list, TileNumbers numbers,
   return kept;
 }
 
-/// Thins out the kept numbers of the given lanes. `scratch` has room for a vector a number.
-HWY_INLINE void share_features(const TileList& list, TileNumbers numbers, const Vector3& p, Vector reject,
-                               unsigned lanes, float (*scratch)[lane_count], std::uint64_t* kept) {
+/// Thins out the kept numbers of each lane, and says where the only one's foot is. `scratch` has room for a
+/// vector a number.
+HWY_INLINE void place_feet(const TileList& list, TileNumbers numbers, const Vector3& p, Vector least,
+                           Vector reject, float (*scratch)[lane_count], TileFinding* found) {
+  // Where the distance is about zero, the kernel asks for more than the place.
+  const float slack = 2 * (tile_slip * list.reach + scan_floor);
+  const auto is_apart = hn::Gt(least, set(slack * slack));
   std::uint64_t any = 0;
-  for (unsigned left = lanes; left != 0; left &= left - 1) any |= kept[std::countr_zero(left)];
+  for (std::size_t lane = 0; lane < lane_count; ++lane) any |= found[lane].kept;
   for (; any != 0; any &= any - 1) {
     const auto n = static_cast<std::size_t>(std::countr_zero(any));
-    hn::Store(border_place(p, list.triangles[numbers[n]], reject, list.reach), Tag(), scratch[n]);
+    hn::Store(sure_place(p, list.triangles[numbers[n]], reject, is_apart, list.reach), Tag(), scratch[n]);
   }
-  for (; lanes != 0; lanes &= lanes - 1) {
-    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-    kept[lane] = distinct(list, numbers, scratch, lane, kept[lane]);
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    std::uint64_t& kept = found[lane].kept;
+    if ((kept & (kept - 1)) != 0) kept = distinct(list, numbers, scratch, lane, kept);
+    const bool is_alone = (kept & (kept - 1)) == 0;
+    found[lane].place = is_alone ? static_cast<TrianglePlace>(scratch[std::countr_zero(kept)][lane]) : unsure_place;
   }
 }
 
 /// The points of one vector.
-HWY_INLINE void scan_vector(const TileList& list, TileNumbers numbers, const Vector3& p,
-                            std::uint64_t* kept) {
+HWY_INLINE void scan_vector(const TileList& list, TileNumbers numbers, const Vector3& p, TileFinding* found) {
   const Tag d;
   HWY_ALIGN float squared[64][lane_count];
   Vector least = set(std::numeric_limits<float>::infinity());
@@ -238,27 +249,20 @@ HWY_INLINE void scan_vector(const TileList& list, TileNumbers numbers, const Vec
     least = hn::Min(least, estimate);
   }
   const Vector reject = beyond(least, list.reach, 0);
-  unsigned some = 0, several = 0;
-  std::fill_n(kept, lane_count, 0);
+  std::fill_n(found, lane_count, TileFinding{});
   for (std::size_t n = 0; n < numbers.size(); ++n) {
     unsigned within = bits_of(hn::Le(hn::Load(d, squared[n]), reject));
-    several |= some & within;
-    some |= within;
-    for (; within != 0; within &= within - 1) kept[std::countr_zero(within)] |= std::uint64_t{1} << n;
+    for (; within != 0; within &= within - 1) found[std::countr_zero(within)].kept |= std::uint64_t{1} << n;
   }
-  // Where the distance is about zero, the kernel asks for more than the place.
-  const float slack = 2 * (tile_slip * list.reach + scan_floor);
-  several &= bits_of(hn::Gt(least, set(slack * slack)));
-  if (several != 0) share_features(list, numbers, p, reject, several, squared, kept);
+  place_feet(list, numbers, p, least, reject, squared, found);
 }
 
-void scan_tile_here(const TileList& list, TileNumbers numbers, const TilePoints& points,
-                    std::uint64_t* kept) {
+void scan_tile_here(const TileList& list, TileNumbers numbers, const TilePoints& points, TileFinding* found) {
   const Tag d;
   for (std::size_t first = 0; first < points.count; first += lane_count) {
     const Vector3 p{hn::Load(d, points.at[0] + first), hn::Load(d, points.at[1] + first),
                     hn::Load(d, points.at[2] + first)};
-    scan_vector(list, numbers, p, kept + first);
+    scan_vector(list, numbers, p, found + first);
   }
 }
 
@@ -278,8 +282,8 @@ std::size_t prune(const TileList& list, TileNumbers numbers, const TileBox& box,
 }
 
 void scan_tile(const TileList& list, TileNumbers numbers, const TilePoints& points,
-               std::uint64_t* kept) noexcept {
-  HWY_DYNAMIC_DISPATCH(scan_tile_here)(list, numbers, points, kept);
+               TileFinding* found) noexcept {
+  HWY_DYNAMIC_DISPATCH(scan_tile_here)(list, numbers, points, found);
 }
 
 }  // namespace cdfr

@@ -104,12 +104,17 @@ struct TileBox {
 std::size_t prune(const TileList& list, TileNumbers numbers, const TileBox& box,
                   std::uint16_t* kept) noexcept;
 
-/// Bit n of kept[p] is set if numbers[n] may be the closest one to point p. Of several triangles on which the
-/// kernel certainly finds the same edge's or vertex's foot, hence the same bits (race.cpp), one is kept:
-/// where all edges that may be closest by estimates agree in the place, each by more than place_doubt, the
-/// projection is outside by more than that, and the distance is not about zero. Precondition: at most 64
-/// numbers.
+/// Of several triangles on which the kernel certainly finds the same edge's or vertex's foot, hence the same
+/// bits (race.cpp), one is kept. A place is certain where every edge says by more than place_doubt on which
+/// side of it the projection is, and before, on or behind it; on the border, those edges that may be closest
+/// by estimates have to agree, and the distance must not be about zero.
+struct TileFinding {
+  std::uint64_t kept = 0;  ///< bit n is set if numbers[n] may be the closest one to the point
+  TrianglePlace place = unsure_place;  ///< of the foot, if one is kept and the kernel certainly finds it there
+};
+
+/// Writes a finding a point. Precondition: at most 64 numbers.
 void scan_tile(const TileList& list, TileNumbers numbers, const TilePoints& points,
-               std::uint64_t* kept) noexcept;
+               TileFinding* found) noexcept;
 
 }  // namespace cdfr
