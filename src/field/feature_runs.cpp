@@ -12,19 +12,13 @@ constexpr std::size_t fewest_in_run = 3;
 
 }  // namespace
 
-void FeatureRuns::add(std::size_t place, const Vec3& p, std::uint32_t slot, std::size_t number,
-                      TrianglePlace foot) noexcept {
-  if (count_ == waiting_.size()) settle();
-  const auto feature = static_cast<std::uint16_t>(8 * number + foot);
-  last_ = std::max(last_, feature);
-  waiting_[count_++] = {p, place, slot, feature};
-}
-
 /// Counts, then places: afterwards ends_[f] is where feature f ends in the order.
 void FeatureRuns::sort() noexcept {
-  std::fill_n(ends_.begin(), last_ + 2, std::uint16_t{0});
+  std::uint16_t last = 0;
+  for (std::size_t i = 0; i < count_; ++i) last = std::max(last, waiting_[i].feature);
+  std::fill_n(ends_.begin(), last + 2, std::uint16_t{0});
   for (std::size_t i = 0; i < count_; ++i) ++ends_[waiting_[i].feature + 1];
-  for (std::size_t f = 0; f <= last_; ++f) ends_[f + 1] = static_cast<std::uint16_t>(ends_[f + 1] + ends_[f]);
+  for (std::size_t f = 0; f <= last; ++f) ends_[f + 1] = static_cast<std::uint16_t>(ends_[f + 1] + ends_[f]);
   for (std::size_t i = 0; i < count_; ++i) {
     order_[ends_[waiting_[i].feature]++] = static_cast<std::uint16_t>(i);
   }
@@ -40,7 +34,6 @@ void FeatureRuns::settle() noexcept {
     first += size;
   }
   count_ = 0;
-  last_ = 0;
 }
 
 void FeatureRuns::run(Members members) noexcept {

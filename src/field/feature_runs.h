@@ -26,7 +26,11 @@ class FeatureRuns {
   void begin(Side side) noexcept { side_ = side; }
   /// out[place] is to be the signed distance of p. The closest triangle is `slot`, with the foot at that place
   /// of it; `number` tells triangles apart. It may be set as late as in settle().
-  void add(std::size_t place, const Vec3& p, std::uint32_t slot, std::size_t number, TrianglePlace foot) noexcept;
+  void add(std::size_t place, const Vec3& p, std::uint32_t slot, std::size_t number,
+           TrianglePlace foot) noexcept {
+    if (count_ == waiting_.size()) settle();
+    waiting_[count_++] = {p, place, slot, static_cast<std::uint16_t>(8 * number + foot)};
+  }
   void settle() noexcept;
 
  private:
@@ -50,7 +54,6 @@ class FeatureRuns {
   std::array<Waiting, 2048> waiting_;
   std::array<std::uint16_t, 2048> order_;  ///< by feature
   std::array<std::uint16_t, 8 * most_numbers + 1> ends_;
-  std::uint16_t last_ = 0;  ///< highest feature
   MeasuredLanes measured_;
 };
 

@@ -147,16 +147,19 @@ class GridChunk {
       for (int axis = 0; axis < 3; ++axis) points.at[axis][points.count] = coordinate(axis, sample[axis]);
       ++points.count;
     });
-    std::array<TileFinding, TilePoints::most> found;
-    scan_tile(list_, numbers, points, found.data());
-    std::size_t number = 0;
-    for_samples(samples, [&](const Sample& sample) { take(sample, numbers, found[number++]); });
-  }
-
-  void take(const Sample& sample, TileNumbers numbers, const TileFinding& found) {
-    if (found.place == unsure_place) return contest(sample, numbers, found.kept);
-    const std::size_t number = numbers[static_cast<std::size_t>(std::countr_zero(found.kept))];
-    runs_.add(place(sample), axes_.point(sample), list_.triangles[number].slot, number, found.place);
+    TileFindings found;
+    scan_tile(list_, numbers, points, found);
+    std::size_t point = 0;
+    for_samples(samples, [&](const Sample& sample) {
+      const auto foot = static_cast<TrianglePlace>(found.place[point]);
+      if (foot == unsure_place) {
+        contest(sample, numbers, found.kept[point]);
+      } else {
+        const std::size_t number = numbers[static_cast<std::size_t>(found.number[point])];
+        runs_.add(place(sample), axes_.point(sample), list_.triangles[number].slot, number, foot);
+      }
+      ++point;
+    });
   }
 
   void contest(const Sample& sample, TileNumbers numbers, std::uint64_t kept) {

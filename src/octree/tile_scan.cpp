@@ -217,29 +217,32 @@ HWY_INLINE std::uint64_t distinct(const TileList& list, TileNumbers numbers,
   return kept;
 }
 
-/// Thins out the kept numbers of each lane, and says where the only one's foot is. `scratch` has room for a
-/// vector a number.
-HWY_INLINE void place_feet(const TileList& list, TileNumbers numbers, const Vector3& p, Vector least,
-                           Vector reject, float (*scratch)[lane_count], TileFinding* found) {
-  // Where the distance is about zero, the kernel asks for more than the place.
-  const float slack = 2 * (tile_slip * list.reach + scan_floor);
-  const auto is_apart = hn::Gt(least, set(slack * slack));
-  std::uint64_t any = 0;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) any |= found[lane].kept;
-  for (; any != 0; any &= any - 1) {
-    const auto n = static_cast<std::size_t>(std::countr_zero(any));
-    hn::Store(sure_place(p, list.triangles[numbers[n]], reject, is_apart, list.reach), Tag(), scratch[n]);
+/// For one vector of points, what passed the bound.
+struct Passed {
+  std::uint64_t numbers = 0;  ///< bit n is set if numbers[n] did for any point
+  unsigned lanes[64];         ///< for which points, if so
+  HWY_ALIGN float places[64][lane_count];
+};
+
+/// The lane's finding where it is not one number at a certain place: of what passed, what is distinct.
+HWY_INLINE void settle_lane(const TileList& list, TileNumbers numbers, const Passed& passed, std::size_t lane,
+                            std::size_t point, TileFindings& found) {
+  std::uint64_t kept = 0;
+  for (std::uint64_t left = passed.numbers; left != 0; left &= left - 1) {
+    const int n = std::countr_zero(left);
+    kept |= static_cast<std::uint64_t>(passed.lanes[n] >> lane & 1U) << n;
   }
-  for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    std::uint64_t& kept = found[lane].kept;
-    if ((kept & (kept - 1)) != 0) kept = distinct(list, numbers, scratch, lane, kept);
-    const bool is_alone = (kept & (kept - 1)) == 0;
-    found[lane].place = is_alone ? static_cast<TrianglePlace>(scratch[std::countr_zero(kept)][lane]) : unsure_place;
-  }
+  kept = distinct(list, numbers, passed.places, lane, kept);
+  found.kept[point] = kept;
+  if ((kept & (kept - 1)) != 0) return;
+  const int n = std::countr_zero(kept);
+  found.number[point] = static_cast<float>(n);
+  found.place[point] = passed.places[n][lane];
 }
 
-/// The points of one vector.
-HWY_INLINE void scan_vector(const TileList& list, TileNumbers numbers, const Vector3& p, TileFinding* found) {
+/// The points of one vector, `point` the first of them.
+HWY_INLINE void scan_vector(const TileList& list, TileNumbers numbers, const Vector3& p, std::size_t point,
+                            TileFindings& found) {
   const Tag d;
   HWY_ALIGN float squared[64][lane_count];
   Vector least = set(std::numeric_limits<float>::infinity());
@@ -249,20 +252,41 @@ HWY_INLINE void scan_vector(const TileList& list, TileNumbers numbers, const Vec
     least = hn::Min(least, estimate);
   }
   const Vector reject = beyond(least, list.reach, 0);
-  std::fill_n(found, lane_count, TileFinding{});
+  // Where the distance is about zero, the kernel asks for more than the place.
+  const float slack = 2 * (tile_slip * list.reach + scan_floor);
+  const auto is_apart = hn::Gt(least, set(slack * slack));
+  Passed passed;
+  auto some = hn::FirstN(d, 0), several = some;
+  Vector number = hn::Zero(d), place = hn::Zero(d);
   for (std::size_t n = 0; n < numbers.size(); ++n) {
-    unsigned within = bits_of(hn::Le(hn::Load(d, squared[n]), reject));
-    for (; within != 0; within &= within - 1) found[std::countr_zero(within)].kept |= std::uint64_t{1} << n;
+    const auto within = hn::Le(hn::Load(d, squared[n]), reject);
+    if (hn::AllFalse(d, within)) continue;
+    const Vector sure = sure_place(p, list.triangles[numbers[n]], reject, is_apart, list.reach);
+    passed.numbers |= std::uint64_t{1} << n;
+    passed.lanes[n] = bits_of(within);
+    hn::Store(sure, d, passed.places[n]);
+    several = hn::Or(several, hn::And(some, within));
+    some = hn::Or(some, within);
+    number = hn::IfThenElse(within, set(static_cast<float>(n)), number);
+    place = hn::IfThenElse(within, sure, place);
   }
-  place_feet(list, numbers, p, least, reject, squared, found);
+  const Vector unsure = set(unsure_place);
+  place = hn::IfThenElse(several, unsure, place);
+  hn::Store(number, d, found.number + point);
+  hn::Store(place, d, found.place + point);
+  for (unsigned open = bits_of(hn::Eq(place, unsure)); open != 0; open &= open - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(open));
+    settle_lane(list, numbers, passed, lane, point + lane, found);
+  }
 }
 
-void scan_tile_here(const TileList& list, TileNumbers numbers, const TilePoints& points, TileFinding* found) {
+void scan_tile_here(const TileList& list, TileNumbers numbers, const TilePoints& points,
+                    TileFindings& found) {
   const Tag d;
   for (std::size_t first = 0; first < points.count; first += lane_count) {
     const Vector3 p{hn::Load(d, points.at[0] + first), hn::Load(d, points.at[1] + first),
                     hn::Load(d, points.at[2] + first)};
-    scan_vector(list, numbers, p, found + first);
+    scan_vector(list, numbers, p, first, found);
   }
 }
 
@@ -282,7 +306,7 @@ std::size_t prune(const TileList& list, TileNumbers numbers, const TileBox& box,
 }
 
 void scan_tile(const TileList& list, TileNumbers numbers, const TilePoints& points,
-               TileFinding* found) noexcept {
+               TileFindings& found) noexcept {
   HWY_DYNAMIC_DISPATCH(scan_tile_here)(list, numbers, points, found);
 }
 

@@ -104,17 +104,18 @@ struct TileBox {
 std::size_t prune(const TileList& list, TileNumbers numbers, const TileBox& box,
                   std::uint16_t* kept) noexcept;
 
-/// Of several triangles on which the kernel certainly finds the same edge's or vertex's foot, hence the same
-/// bits (race.cpp), one is kept. A place is certain where every edge says by more than place_doubt on which
-/// side of it the projection is, and before, on or behind it; on the border, those edges that may be closest
-/// by estimates have to agree, and the distance must not be about zero.
-struct TileFinding {
-  std::uint64_t kept = 0;  ///< bit n is set if numbers[n] may be the closest one to the point
-  TrianglePlace place = unsure_place;  ///< of the foot, if one is kept and the kernel certainly finds it there
+/// What a scan has left, by point. Of several triangles on which the kernel certainly finds the same edge's or
+/// vertex's foot, hence the same bits (race.cpp), one is kept. A place is certain where every edge says by
+/// more than place_doubt on which side of it the projection is, and before, on or behind it; on the border,
+/// those edges that may be closest by estimates have to agree, and the distance must not be about zero.
+struct TileFindings {
+  alignas(64) float number[TilePoints::most];  ///< the triangle that is closest is numbers[number]
+  alignas(64) float place[TilePoints::most];   ///< of the foot there; or unsure_place, and the number is open:
+  std::uint64_t kept[TilePoints::most];        ///< bit n is set if numbers[n] may be closest
 };
 
-/// Writes a finding a point. Precondition: at most 64 numbers.
+/// Precondition: at most 64 numbers.
 void scan_tile(const TileList& list, TileNumbers numbers, const TilePoints& points,
-               TileFinding* found) noexcept;
+               TileFindings& found) noexcept;
 
 }  // namespace cdfr
