@@ -45,13 +45,11 @@ void FeatureRuns::run(Members members) noexcept {
     return;
   }
   PointLanes points;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    points.set(lane, waiting_[members[std::min(lane, members.size() - 1)]].p);
-  }
+  for (std::size_t lane = 0; lane < members.size(); ++lane) points.set(lane, waiting_[members[lane]].p);
+  for (std::size_t lane = members.size(); lane < lane_count; ++lane) points.set(lane, first.p);
   measure_at(shape, static_cast<TrianglePlace>(first.feature % 8), points, measured_);
   for (std::size_t lane = 0; lane < members.size(); ++lane) {
-    const Waiting& waiting = waiting_[members[lane]];
-    out_[waiting.place] = distance_of(lane, waiting.p, first.slot, shape);
+    out_[waiting_[members[lane]].place] = distance_of(lane, points.p(lane), first.slot, shape);
   }
 }
 

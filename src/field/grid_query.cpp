@@ -27,8 +27,6 @@ constexpr std::uint32_t tile_side = 4;
 constexpr std::size_t fewest = 3;
 /// For fewer samples than this, dropping triangles takes longer than asking the samples about them.
 constexpr std::size_t fewest_to_prune = 49;
-/// Triangles that a tile tells apart by the bits of a word.
-constexpr std::size_t most_in_tile = 64;
 
 /// Answers the samples of one chunk.
 class GridChunk {
@@ -117,12 +115,11 @@ class GridChunk {
     std::size_t count = numbers.size();
     const bool is_tile =
         std::all_of(samples.begin(), samples.end(), [](const Stretch& s) { return s.size() <= tile_side; });
-    if (count > most_in_tile || (count > 2 && count_of(samples) >= fewest_to_prune)) {
+    if (count > 2 && count_of(samples) >= fewest_to_prune) {
       count = prune(list_, numbers, box(samples), kept.data());
       numbers = {kept.data(), count};
     }
     if (!is_tile) return divide(samples, numbers);
-    if (count > most_in_tile) return all_singly(samples);
     tile(samples, numbers);
   }
 
@@ -148,26 +145,26 @@ class GridChunk {
       ++points.count;
     });
     TileFindings found;
-    scan_tile(list_, numbers, points, found);
+    if (!scan_tile(list_, numbers, points, found)) return all_singly(samples);
     std::size_t point = 0;
     for_samples(samples, [&](const Sample& sample) {
       const auto foot = static_cast<TrianglePlace>(found.place[point]);
       if (foot == unsure_place) {
-        contest(sample, numbers, found.kept[point]);
+        contest(sample, found, found.kept[point]);
       } else {
-        const std::size_t number = numbers[static_cast<std::size_t>(found.number[point])];
+        const auto number = static_cast<std::size_t>(found.number[point]);
         runs_.add(place(sample), axes_.point(sample), list_.triangles[number].slot, number, foot);
       }
       ++point;
     });
   }
 
-  void contest(const Sample& sample, TileNumbers numbers, std::uint64_t kept) {
+  void contest(const Sample& sample, const TileFindings& found, std::uint64_t kept) {
     std::array<std::uint32_t, Contests::most> slots;
     std::size_t count = 0;
     for (; kept != 0; kept &= kept - 1) {
       if (count == slots.size()) return singly(sample);
-      slots[count++] = list_.triangles[numbers[static_cast<std::size_t>(std::countr_zero(kept))]].slot;
+      slots[count++] = list_.triangles[found.survivors[static_cast<std::size_t>(std::countr_zero(kept))]].slot;
     }
     contests_.add(place(sample), axes_.point(sample), side_, {slots.data(), count});
   }

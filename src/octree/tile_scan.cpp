@@ -198,96 +198,117 @@ HWY_INLINE Vector sure_place(const Vector3& p, const TileTriangle& t, Vector rej
   return hn::IfThenElse(places.inside, hn::Zero(d), place);
 }
 
-/// Of triangles whose feet certainly are the same edge's or vertex's, one stays.
-HWY_INLINE std::uint64_t distinct(const TileList& list, TileNumbers numbers,
-                                  const float (*places)[lane_count], std::size_t lane, std::uint64_t within) {
+/// For one vector of points, what passed the bound.
+struct Passed {
+  std::uint64_t survivors = 0;                    ///< bit k is set if survivor k did for any point
+  unsigned lanes[TileFindings::most];             ///< for which points, if so
+  HWY_ALIGN float places[TileFindings::most][lane_count];
+};
+
+/// Of the lane's triangles whose feet certainly are the same edge's or vertex's, one stays.
+HWY_INLINE std::uint64_t distinct(const TileList& list, const TileFindings& found, const Passed& passed,
+                                  std::size_t lane) {
   std::uint64_t kept = 0;
   std::uint64_t seen[most_seen];
   std::size_t seen_count = 0;
-  for (; within != 0; within &= within - 1) {
-    const auto n = static_cast<std::size_t>(std::countr_zero(within));
-    const auto place = static_cast<std::size_t>(places[n][lane]);
+  for (std::uint64_t left = passed.survivors; left != 0; left &= left - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    if ((passed.lanes[k] >> lane & 1U) == 0) continue;
+    const auto place = static_cast<std::size_t>(passed.places[k][lane]);
     if (place != 0 && place != unsure_place) {
-      const std::uint64_t feature = list.triangles[numbers[n]].features[place - 1];
+      const std::uint64_t feature = list.triangles[found.survivors[k]].features[place - 1];
       if (std::find(seen, seen + seen_count, feature) != seen + seen_count) continue;
       if (seen_count < most_seen) seen[seen_count++] = feature;
     }
-    kept |= std::uint64_t{1} << n;
+    kept |= std::uint64_t{1} << k;
   }
   return kept;
 }
 
-/// For one vector of points, what passed the bound.
-struct Passed {
-  std::uint64_t numbers = 0;  ///< bit n is set if numbers[n] did for any point
-  unsigned lanes[64];         ///< for which points, if so
-  HWY_ALIGN float places[64][lane_count];
-};
-
-/// The lane's finding where it is not one number at a certain place: of what passed, what is distinct.
-HWY_INLINE void settle_lane(const TileList& list, TileNumbers numbers, const Passed& passed, std::size_t lane,
-                            std::size_t point, TileFindings& found) {
-  std::uint64_t kept = 0;
-  for (std::uint64_t left = passed.numbers; left != 0; left &= left - 1) {
-    const int n = std::countr_zero(left);
-    kept |= static_cast<std::uint64_t>(passed.lanes[n] >> lane & 1U) << n;
-  }
-  kept = distinct(list, numbers, passed.places, lane, kept);
+/// The lane's finding where it is not one number at a certain place.
+HWY_INLINE void settle_lane(const TileList& list, const Passed& passed, std::size_t lane, std::size_t point,
+                            TileFindings& found) {
+  const std::uint64_t kept = distinct(list, found, passed, lane);
   found.kept[point] = kept;
   if ((kept & (kept - 1)) != 0) return;
-  const int n = std::countr_zero(kept);
-  found.number[point] = static_cast<float>(n);
-  found.place[point] = passed.places[n][lane];
+  const int k = std::countr_zero(kept);
+  found.number[point] = found.survivors[k];
+  found.place[point] = passed.places[k][lane];
 }
 
-/// The points of one vector, `point` the first of them.
-HWY_INLINE void scan_vector(const TileList& list, TileNumbers numbers, const Vector3& p, std::size_t point,
-                            TileFindings& found) {
-  const Tag d;
-  HWY_ALIGN float squared[64][lane_count];
-  Vector least = set(std::numeric_limits<float>::infinity());
-  for (std::size_t n = 0; n < numbers.size(); ++n) {
-    const Vector estimate = estimated(p, list.triangles[numbers[n]]);
-    hn::Store(estimate, d, squared[n]);
-    least = hn::Min(least, estimate);
+/// The points of one vector, `point` the first of them: estimates, then what passes the bound.
+class VectorScan {
+ public:
+  HWY_INLINE VectorScan(const TileList& list, TileNumbers numbers, const Vector3& p) : list_(list), p_(p) {
+    const Tag d;
+    least_ = set(std::numeric_limits<float>::infinity());
+    for (std::size_t n = 0; n < numbers.size(); ++n) {
+      const Vector estimate = estimated(p, list.triangles[numbers[n]]);
+      hn::Store(estimate, d, squared_[n]);
+      least_ = hn::Min(least_, estimate);
+    }
+    reject_ = beyond(least_, list.reach, 0);
   }
-  const Vector reject = beyond(least, list.reach, 0);
-  // Where the distance is about zero, the kernel asks for more than the place.
-  const float slack = 2 * (tile_slip * list.reach + scan_floor);
-  const auto is_apart = hn::Gt(least, set(slack * slack));
-  Passed passed;
-  auto some = hn::FirstN(d, 0), several = some;
-  Vector number = hn::Zero(d), place = hn::Zero(d);
-  for (std::size_t n = 0; n < numbers.size(); ++n) {
-    const auto within = hn::Le(hn::Load(d, squared[n]), reject);
-    if (hn::AllFalse(d, within)) continue;
-    const Vector sure = sure_place(p, list.triangles[numbers[n]], reject, is_apart, list.reach);
-    passed.numbers |= std::uint64_t{1} << n;
-    passed.lanes[n] = bits_of(within);
-    hn::Store(sure, d, passed.places[n]);
-    several = hn::Or(several, hn::And(some, within));
-    some = hn::Or(some, within);
-    number = hn::IfThenElse(within, set(static_cast<float>(n)), number);
-    place = hn::IfThenElse(within, sure, place);
-  }
-  const Vector unsure = set(unsure_place);
-  place = hn::IfThenElse(several, unsure, place);
-  hn::Store(number, d, found.number + point);
-  hn::Store(place, d, found.place + point);
-  for (unsigned open = bits_of(hn::Eq(place, unsure)); open != 0; open &= open - 1) {
-    const auto lane = static_cast<std::size_t>(std::countr_zero(open));
-    settle_lane(list, numbers, passed, lane, point + lane, found);
-  }
-}
 
-void scan_tile_here(const TileList& list, TileNumbers numbers, const TilePoints& points,
+  /// `survivor_of` gives numbers their place among the survivors, or none. False if there is no room.
+  HWY_INLINE bool find(TileNumbers numbers, std::uint8_t* survivor_of, std::size_t point, TileFindings& found) {
+    const Tag d;
+    // Where the distance is about zero, the kernel asks for more than the place.
+    const float slack = 2 * (tile_slip * list_.reach + scan_floor);
+    const auto is_apart = hn::Gt(least_, set(slack * slack));
+    Passed passed;
+    auto some = hn::FirstN(d, 0), several = some;
+    Vector number = hn::Zero(d), place = hn::Zero(d);
+    for (std::size_t n = 0; n < numbers.size(); ++n) {
+      const auto within = hn::Le(hn::Load(d, squared_[n]), reject_);
+      if (hn::AllFalse(d, within)) continue;
+      if (survivor_of[n] == no_survivor) {
+        if (found.count == TileFindings::most) return false;
+        found.survivors[found.count] = numbers[n];
+        survivor_of[n] = static_cast<std::uint8_t>(found.count++);
+      }
+      const std::size_t k = survivor_of[n];
+      const Vector sure = sure_place(p_, list_.triangles[numbers[n]], reject_, is_apart, list_.reach);
+      passed.survivors |= std::uint64_t{1} << k;
+      passed.lanes[k] = bits_of(within);
+      hn::Store(sure, d, passed.places[k]);
+      several = hn::Or(several, hn::And(some, within));
+      some = hn::Or(some, within);
+      number = hn::IfThenElse(within, set(static_cast<float>(numbers[n])), number);
+      place = hn::IfThenElse(within, sure, place);
+    }
+    const Vector unsure = set(unsure_place);
+    place = hn::IfThenElse(several, unsure, place);
+    hn::Store(number, d, found.number + point);
+    hn::Store(place, d, found.place + point);
+    for (unsigned open = bits_of(hn::Eq(place, unsure)); open != 0; open &= open - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(open));
+      settle_lane(list_, passed, lane, point + lane, found);
+    }
+    return true;
+  }
+
+  static constexpr std::uint8_t no_survivor = 255;
+
+ private:
+  const TileList& list_;
+  const Vector3& p_;
+  Vector least_, reject_;
+  HWY_ALIGN float squared_[TileList::most][lane_count];
+};
+
+bool scan_tile_here(const TileList& list, TileNumbers numbers, const TilePoints& points,
                     TileFindings& found) {
   const Tag d;
+  found.count = 0;
+  std::uint8_t survivor_of[TileList::most];
+  std::fill_n(survivor_of, numbers.size(), VectorScan::no_survivor);
   for (std::size_t first = 0; first < points.count; first += lane_count) {
     const Vector3 p{hn::Load(d, points.at[0] + first), hn::Load(d, points.at[1] + first),
                     hn::Load(d, points.at[2] + first)};
-    scan_vector(list, numbers, p, first, found);
+    if (!VectorScan(list, numbers, p).find(numbers, survivor_of, first, found)) return false;
   }
+  return true;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -305,9 +326,9 @@ std::size_t prune(const TileList& list, TileNumbers numbers, const TileBox& box,
   return HWY_DYNAMIC_DISPATCH(prune_here)(list, numbers, box, kept);
 }
 
-void scan_tile(const TileList& list, TileNumbers numbers, const TilePoints& points,
+bool scan_tile(const TileList& list, TileNumbers numbers, const TilePoints& points,
                TileFindings& found) noexcept {
-  HWY_DYNAMIC_DISPATCH(scan_tile_here)(list, numbers, points, found);
+  return HWY_DYNAMIC_DISPATCH(scan_tile_here)(list, numbers, points, found);
 }
 
 }  // namespace cdfr

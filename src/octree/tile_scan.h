@@ -109,13 +109,16 @@ std::size_t prune(const TileList& list, TileNumbers numbers, const TileBox& box,
 /// more than place_doubt on which side of it the projection is, and before, on or behind it; on the border,
 /// those edges that may be closest by estimates have to agree, and the distance must not be about zero.
 struct TileFindings {
-  alignas(64) float number[TilePoints::most];  ///< the triangle that is closest is numbers[number]
+  static constexpr std::size_t most = 64;
+  std::array<std::uint16_t, most> survivors;  ///< numbers that may be closest to some point
+  std::size_t count;                          ///< of the above that are set
+  alignas(64) float number[TilePoints::most];  ///< of the triangle that is closest
   alignas(64) float place[TilePoints::most];   ///< of the foot there; or unsure_place, and the number is open:
-  std::uint64_t kept[TilePoints::most];        ///< bit n is set if numbers[n] may be closest
+  std::uint64_t kept[TilePoints::most];        ///< bit k is set if survivors[k] may be closest
 };
 
-/// Precondition: at most 64 numbers.
-void scan_tile(const TileList& list, TileNumbers numbers, const TilePoints& points,
+/// False, and nothing of use in `found`, if there are more survivors than that.
+bool scan_tile(const TileList& list, TileNumbers numbers, const TilePoints& points,
                TileFindings& found) noexcept;
 
 }  // namespace cdfr
