@@ -44,7 +44,7 @@ double Contests::distance_of(const Contest& contest) const noexcept {
   if (!is_alone(contest, lane)) return race(p, contest.side, {slots_.data() + contest.first, contest.count});
   Finding finding;
   finding.leaf = contest.side;
-  finding.winner = {measured_.foot(pairs_, lane), slots_[lane],
+  finding.winner = {measured_.foot(pairs_.triangle(lane), lane), slots_[lane],
                     field_.triangles.records[slots_[lane]].number};
   return signed_distance(field_, {p, 1}, finding);
 }

@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "field/contests.h"
+#include "field/feature_runs.h"
 #include "field/grid_axes.h"
 #include "field/query.h"
 #include "octree/tile_scan.h"
@@ -23,11 +24,9 @@ constexpr std::uint32_t chunk_side = 32;
 /// Samples of a tile along each axis: TilePoints::most of them.
 constexpr std::uint32_t tile_side = 4;
 /// Fewer samples than this in a leaf are asked one by one: preparing the list would cost more.
-constexpr std::size_t fewest = 12;
+constexpr std::size_t fewest = 3;
 /// For fewer samples than this, dropping triangles takes longer than asking the samples about them.
 constexpr std::size_t fewest_to_prune = 49;
-/// Triangles that a tile tells apart by the bits of a word.
-constexpr std::size_t most_in_tile = 64;
 
 /// Answers the samples of one chunk.
 class GridChunk {
@@ -37,8 +36,8 @@ class GridChunk {
         grid_(grid),
         axes_(axes),
         out_(out),
-        alone_(field, out),
-        several_(field, out),
+        contests_(field, out),
+        runs_(field, out, contests_),
         is_origin_(field.bounds() == Box{}) {
     list_.triangles.reserve(TileList::most + group_size);
   }
@@ -51,8 +50,7 @@ class GridChunk {
         for (std::uint32_t i = chunk[0].first; i < chunk[0].end;) i = from({i, j, k}, chunk);
       }
     }
-    alone_.settle();
-    several_.settle();
+    contests_.settle();
     return true;
   }
 
@@ -78,6 +76,7 @@ class GridChunk {
 
   void in_leaf(const Stretches& samples, const Located& leaf) {
     side_ = leaf.side;
+    runs_.begin(side_);
     double squared = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const double lo = axes_.at(axis, samples[axis].first), hi = axes_.at(axis, samples[axis].end - 1);
@@ -85,7 +84,7 @@ class GridChunk {
       squared += (hi - lo) * (hi - lo) / 4;
     }
     if (count_of(samples) < fewest ||
-        !list_.fill(field_.triangles, field_.scan_groups.data(), field_.tree.lattice, leaf.entries,
+        !list_.fill(field_.triangles, field_.tree.lattice, leaf.entries,
                     {middle_[0], middle_[1], middle_[2]}, std::sqrt(squared))) {
       return all_singly(samples);
     }
@@ -93,6 +92,7 @@ class GridChunk {
     const std::size_t count = list_.triangles.size();
     for (std::size_t n = 0; n < count; ++n) numbers[n] = static_cast<std::uint16_t>(n);
     divide(samples, {numbers.data(), count});
+    runs_.settle();
   }
 
   /// Halves each axis that is longer than a tile.
@@ -115,12 +115,11 @@ class GridChunk {
     std::size_t count = numbers.size();
     const bool is_tile =
         std::all_of(samples.begin(), samples.end(), [](const Stretch& s) { return s.size() <= tile_side; });
-    if (count > most_in_tile || (count > 2 && count_of(samples) >= fewest_to_prune)) {
+    if (count > 2 && count_of(samples) >= fewest_to_prune) {
       count = prune(list_, numbers, box(samples), kept.data());
       numbers = {kept.data(), count};
     }
     if (!is_tile) return divide(samples, numbers);
-    if (count > most_in_tile) return all_singly(samples);
     tile(samples, numbers);
   }
 
@@ -145,20 +144,29 @@ class GridChunk {
       for (int axis = 0; axis < 3; ++axis) points.at[axis][points.count] = coordinate(axis, sample[axis]);
       ++points.count;
     });
-    std::array<std::uint64_t, TilePoints::most> kept;
-    scan_tile(list_, numbers, points, kept.data());
-    std::size_t number = 0;
-    for_samples(samples, [&](const Sample& sample) { contest(sample, numbers, kept[number++]); });
+    TileFindings found;
+    if (!scan_tile(list_, numbers, points, found)) return all_singly(samples);
+    std::size_t point = 0;
+    for_samples(samples, [&](const Sample& sample) {
+      const auto foot = static_cast<TrianglePlace>(found.place[point]);
+      if (foot == unsure_place) {
+        contest(sample, found, found.kept[point]);
+      } else {
+        const auto number = static_cast<std::size_t>(found.number[point]);
+        runs_.add(place(sample), axes_.point(sample), list_.triangles[number].slot, number, foot);
+      }
+      ++point;
+    });
   }
 
-  void contest(const Sample& sample, TileNumbers numbers, std::uint64_t kept) {
+  void contest(const Sample& sample, const TileFindings& found, std::uint64_t kept) {
     std::array<std::uint32_t, Contests::most> slots;
     std::size_t count = 0;
     for (; kept != 0; kept &= kept - 1) {
       if (count == slots.size()) return singly(sample);
-      slots[count++] = list_.triangles[numbers[static_cast<std::size_t>(std::countr_zero(kept))]].slot;
+      slots[count++] = list_.triangles[found.survivors[static_cast<std::size_t>(std::countr_zero(kept))]].slot;
     }
-    (count == 1 ? alone_ : several_).add(place(sample), axes_.point(sample), side_, {slots.data(), count});
+    contests_.add(place(sample), axes_.point(sample), side_, {slots.data(), count});
   }
 
   template <class Visit>
@@ -183,8 +191,8 @@ class GridChunk {
   const GridAxes& axes_;
   std::span<double> out_;
   TileList list_;
-  // Apart, since these lie on faces mostly, and those on edges and vertices.
-  Contests alone_, several_;
+  Contests contests_;
+  FeatureRuns runs_;
   std::array<double, 3> middle_{};  ///< of the leaf's samples, in edges
   Side side_ = Side::undecided;
   const bool is_origin_;  ///< the mesh: queries may have to be scaled

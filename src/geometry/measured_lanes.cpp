@@ -163,6 +163,29 @@ void measure_here(const PairLanes& lanes, MeasuredLanes& measured) {
   }
 }
 
+HWY_INLINE Vector3 spread(const Vec3& v) { return {constant(v.x), constant(v.y), constant(v.z)}; }
+
+void measure_at_here(const TriangleShape& triangle, TrianglePlace place, const PointLanes& points,
+                     MeasuredLanes& measured) {
+  const DoubleDouble3& n = triangle.normal;
+  const Vector zero = constant(0);
+  const Doubled none{zero, zero};
+  const Vector at = constant(place);
+  for (std::size_t lane = 0; lane < lane_count; lane += vector_lanes()) {
+    const Pairs pairs{
+        loaded(points.at, lane),
+        {spread(triangle.vertices[0]), spread(triangle.vertices[1]), spread(triangle.vertices[2])},
+        spread(rounded(n))};
+    Feet feet{at, none, none, {none, none, none}};
+    if (place == 0) {
+      measure_faces(pairs, spread({n[0].lo, n[1].lo, n[2].lo}), at == zero, feet);
+    } else {
+      measure_borders(pairs, at < constant(4), feet);
+    }
+    keep(feet, lane, measured);
+  }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace cdfr
 HWY_AFTER_NAMESPACE();
@@ -171,6 +194,7 @@ HWY_AFTER_NAMESPACE();
 namespace cdfr {
 
 HWY_EXPORT(measure_here);
+HWY_EXPORT(measure_at_here);
 
 namespace {
 
@@ -214,13 +238,13 @@ TriangleShape PairLanes::triangle(std::size_t lane) const noexcept {
   return shape;
 }
 
-Foot MeasuredLanes::foot(const PairLanes& pairs, std::size_t lane) const noexcept {
+Foot MeasuredLanes::foot(const TriangleShape& triangle, std::size_t lane) const noexcept {
   Foot foot;
   foot.squared = {squared[lane], squared_rest[lane]};
   foot.along = {along[lane], along_rest[lane]};
   foot.place = place[lane];
   if (foot.place == 0) {
-    foot.offset = scaled(pairs.triangle(lane).normal, foot.along);
+    foot.offset = scaled(triangle.normal, foot.along);
   } else {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       foot.offset[axis] = {offset[axis][lane], offset_rest[axis][lane]};
@@ -234,6 +258,14 @@ void measure(const PairLanes& pairs, MeasuredLanes& measured) noexcept {
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
     if (measured.place[lane] != unsure_place) continue;
     keep(measure(pairs.p(lane), pairs.triangle(lane)), lane, measured);
+  }
+}
+
+void measure_at(const TriangleShape& triangle, TrianglePlace place, const PointLanes& points,
+                MeasuredLanes& measured) noexcept {
+  HWY_DYNAMIC_DISPATCH(measure_at_here)(triangle, place, points, measured);
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    if (measured.place[lane] != place) keep(measure(points.p(lane), triangle), lane, measured);
   }
 }
 

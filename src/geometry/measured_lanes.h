@@ -24,6 +24,18 @@ struct alignas(64) PairLanes {
   TriangleShape triangle(std::size_t lane) const noexcept;
 };
 
+/// Points that meet one triangle.
+struct alignas(64) PointLanes {
+  double at[3][lane_count];  ///< [axis][lane]
+
+  void set(std::size_t lane, const Vec3& p) noexcept {
+    at[0][lane] = p.x;
+    at[1][lane] = p.y;
+    at[2][lane] = p.z;
+  }
+  Vec3 p(std::size_t lane) const noexcept { return {at[0][lane], at[1][lane], at[2][lane]}; }
+};
+
 /// Feet as `measure` gives them, and the distance. The offset of a foot on a face is the normal times `along`
 /// and not kept.
 struct alignas(64) MeasuredLanes {
@@ -33,13 +45,18 @@ struct alignas(64) MeasuredLanes {
   double offset[3][lane_count], offset_rest[3][lane_count];
   TrianglePlace place[lane_count];
 
-  /// Precondition: the pairs are those that were measured.
-  Foot foot(const PairLanes& pairs, std::size_t lane) const noexcept;
+  /// Precondition: the triangle is the lane's.
+  Foot foot(const TriangleShape& triangle, std::size_t lane) const noexcept;
 };
 
 /// With AVX-512 about 7 ns a lane on faces, 9 at corners, 15 on edges; 19 where lanes of all kinds mix, so it
 /// pays to put those of one kind together. AVX2 takes twice as long. Lanes where double precision leaves the
 /// place open, or whether the distance is zero, are measured one by one.
 void measure(const PairLanes& pairs, MeasuredLanes& measured) noexcept;
+
+/// The same for a triangle and points whose feet certainly lie at that place; where it is an edge or a corner,
+/// none is at a distance of zero (PlaceEstimate).
+void measure_at(const TriangleShape& triangle, TrianglePlace place, const PointLanes& points,
+                MeasuredLanes& measured) noexcept;
 
 }  // namespace cdfr

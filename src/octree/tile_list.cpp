@@ -65,23 +65,24 @@ TileTriangle seen_from(const TriangleShape& shape, const Lattice& lattice,
 
 }  // namespace
 
-bool TileList::fill(const TriangleStore& store, const ScanGroup* groups, const Lattice& lattice,
+bool TileList::fill(const TriangleStore& store, const Lattice& lattice,
                     std::span<const Entry> list, const Vec3& middle, double radius) {
   triangles.clear();
-  float widest = 0;
+  float longest = 0;
   for (const Entry& entry : list) {
     if (!entry.is_group()) return false;
-    widest = std::max(widest, groups[entry.number()].reach());
     for (unsigned lanes = entry.lanes(); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
       const std::uint32_t slot = entry.number() * static_cast<std::uint32_t>(group_size) + lane;
       triangles.push_back(seen_from(store.shape(slot), lattice, middle));
-      triangles.back().slot = slot;
-      name_features(triangles.back(), store.records[triangles.back().slot]);
+      TileTriangle& t = triangles.back();
+      longest = std::max({longest, t.ab.length, t.bc.length, t.ca.length});
+      t.slot = slot;
+      name_features(t, store.records[slot]);
     }
     if (triangles.size() > most) return false;
   }
-  reach = (widest + 2 * static_cast<float>(radius)) * (1 + tile_error);
+  reach = (std::sqrt(longest) + static_cast<float>(radius)) * (1 + tile_error);
   return true;
 }
 

@@ -72,11 +72,12 @@ HWY_INLINE unsigned bits_of(hn::Mask<Tag> mask) {
   return (bytes[0] | unsigned{bytes[1]} << 8) & ((1U << lane_count) - 1);
 }
 
-/// (sqrt((t + k (t + reach) + f)^2 + m) + k reach + f) (1 + 2 k), squared.
+/// (sqrt(U^2 + s^2 + m) + k reach + f) (1 + 2 k), squared: tile_scan.h has what it rules out.
 HWY_INLINE Vector beyond(Vector squared, float reach, float m) {
   const float slack = tile_error * reach + scan_floor;
   const Vector upper = hn::MulAdd(hn::Sqrt(squared), set(1 + tile_error), set(slack));
-  const Vector root = hn::Sqrt(hn::MulAdd(upper, upper, set(m)));
+  const Vector slip = hn::Mul(set(tile_slip), hn::Add(upper, set(reach)));
+  const Vector root = hn::Sqrt(hn::MulAdd(upper, upper, hn::MulAdd(slip, slip, set(m))));
   const Vector threshold = hn::Mul(hn::Add(root, set(slack)), set(1 + 2 * tile_error));
   return hn::Mul(threshold, threshold);
 }
@@ -159,6 +160,7 @@ std::size_t prune_here(const TileList& list, TileNumbers numbers, const TileBox&
 struct Places {
   Vector lowest, highest;
   hn::Mask<Tag> outside;  ///< the projection is certainly not on the face
+  hn::Mask<Tag> inside;   ///< it certainly is
 };
 
 /// Lets an edge join in. Its own place is `between`, its ends' are at_from and at_to.
@@ -172,93 +174,141 @@ HWY_INLINE void join(const Vector3& r, const TileTriangle::Edge& edge, float bet
   const auto may_be_closest = hn::Le(from_edge(r, edge), most);
   places.lowest = hn::IfThenElse(may_be_closest, hn::Min(places.lowest, place), places.lowest);
   places.highest = hn::IfThenElse(may_be_closest, hn::Max(places.highest, place), places.highest);
-  places.outside = hn::Or(places.outside, hn::Lt(dot(r, edge.inwards), hn::Neg(doubt)));
+  const Vector side = dot(r, edge.inwards);
+  places.outside = hn::Or(places.outside, hn::Lt(side, hn::Neg(doubt)));
+  places.inside = hn::And(places.inside, hn::Gt(side, doubt));
 }
 
-/// Where on the triangle's border the kernel certainly finds the foot, or unsure_place. The triangle's own
-/// least estimate is at most `reject`.
-HWY_INLINE Vector border_place(const Vector3& p, const TileTriangle& t, Vector reject, float reach) {
+/// Where on the triangle the kernel certainly finds the foot, or unsure_place. The triangle's own least
+/// estimate is at most `reject`; `is_apart` where the distance is certainly not zero.
+HWY_INLINE Vector sure_place(const Vector3& p, const TileTriangle& t, Vector reject, hn::Mask<Tag> is_apart,
+                             float reach) {
   const Tag d;
   const Vector3 from_a = minus(p, t.a), from_b = minus(p, t.b);
   const Vector size = hn::Add(hn::Sqrt(reject), set(reach));
   const Vector doubt = hn::Mul(set(place_doubt), hn::Mul(size, size));
   const Vector most = beyond(reject, reach, 0);
-  Places places{set(unsure_place), hn::Zero(d), hn::FirstN(d, 0)};
+  Places places{set(unsure_place), hn::Zero(d), hn::FirstN(d, 0), hn::FirstN(d, lane_count)};
   join(from_a, t.ab, 1, 4, 5, doubt, most, places);
   join(from_b, t.bc, 2, 5, 6, doubt, most, places);
   join(from_a, t.ca, 3, 4, 6, doubt, most, places);
-  const auto sure = hn::And(places.outside, hn::Eq(places.lowest, places.highest));
-  return hn::IfThenElse(sure, places.lowest, set(unsure_place));
+  const auto agree = hn::And(is_apart, hn::Eq(places.lowest, places.highest));
+  const Vector place =
+      hn::IfThenElse(hn::And(places.outside, agree), places.lowest, set(unsure_place));
+  return hn::IfThenElse(places.inside, hn::Zero(d), place);
 }
 
-/// Of triangles whose feet certainly are the same edge's or vertex's, one stays.
-HWY_INLINE std::uint64_t distinct(const TileList& list, TileNumbers numbers,
-                                  const float (*places)[lane_count], std::size_t lane, std::uint64_t within) {
+/// For one vector of points, what passed the bound.
+struct Passed {
+  std::uint64_t survivors = 0;                    ///< bit k is set if survivor k did for any point
+  unsigned lanes[TileFindings::most];             ///< for which points, if so
+  HWY_ALIGN float places[TileFindings::most][lane_count];
+};
+
+/// Of the lane's triangles whose feet certainly are the same edge's or vertex's, one stays.
+HWY_INLINE std::uint64_t distinct(const TileList& list, const TileFindings& found, const Passed& passed,
+                                  std::size_t lane) {
   std::uint64_t kept = 0;
   std::uint64_t seen[most_seen];
   std::size_t seen_count = 0;
-  for (; within != 0; within &= within - 1) {
-    const auto n = static_cast<std::size_t>(std::countr_zero(within));
-    const auto place = static_cast<std::size_t>(places[n][lane]);
-    if (place != unsure_place) {
-      const std::uint64_t feature = list.triangles[numbers[n]].features[place - 1];
+  for (std::uint64_t left = passed.survivors; left != 0; left &= left - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    if ((passed.lanes[k] >> lane & 1U) == 0) continue;
+    const auto place = static_cast<std::size_t>(passed.places[k][lane]);
+    if (place != 0 && place != unsure_place) {
+      const std::uint64_t feature = list.triangles[found.survivors[k]].features[place - 1];
       if (std::find(seen, seen + seen_count, feature) != seen + seen_count) continue;
       if (seen_count < most_seen) seen[seen_count++] = feature;
     }
-    kept |= std::uint64_t{1} << n;
+    kept |= std::uint64_t{1} << k;
   }
   return kept;
 }
 
-/// Thins out the kept numbers of the given lanes. `scratch` has room for a vector a number.
-HWY_INLINE void share_features(const TileList& list, TileNumbers numbers, const Vector3& p, Vector reject,
-                               unsigned lanes, float (*scratch)[lane_count], std::uint64_t* kept) {
-  std::uint64_t any = 0;
-  for (unsigned left = lanes; left != 0; left &= left - 1) any |= kept[std::countr_zero(left)];
-  for (; any != 0; any &= any - 1) {
-    const auto n = static_cast<std::size_t>(std::countr_zero(any));
-    hn::Store(border_place(p, list.triangles[numbers[n]], reject, list.reach), Tag(), scratch[n]);
-  }
-  for (; lanes != 0; lanes &= lanes - 1) {
-    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-    kept[lane] = distinct(list, numbers, scratch, lane, kept[lane]);
-  }
+/// The lane's finding where it is not one number at a certain place.
+HWY_INLINE void settle_lane(const TileList& list, const Passed& passed, std::size_t lane, std::size_t point,
+                            TileFindings& found) {
+  const std::uint64_t kept = distinct(list, found, passed, lane);
+  found.kept[point] = kept;
+  if ((kept & (kept - 1)) != 0) return;
+  const int k = std::countr_zero(kept);
+  found.number[point] = found.survivors[k];
+  found.place[point] = passed.places[k][lane];
 }
 
-/// The points of one vector.
-HWY_INLINE void scan_vector(const TileList& list, TileNumbers numbers, const Vector3& p,
-                            std::uint64_t* kept) {
-  const Tag d;
-  HWY_ALIGN float squared[64][lane_count];
-  Vector least = set(std::numeric_limits<float>::infinity());
-  for (std::size_t n = 0; n < numbers.size(); ++n) {
-    const Vector estimate = estimated(p, list.triangles[numbers[n]]);
-    hn::Store(estimate, d, squared[n]);
-    least = hn::Min(least, estimate);
+/// The points of one vector, `point` the first of them: estimates, then what passes the bound.
+class VectorScan {
+ public:
+  HWY_INLINE VectorScan(const TileList& list, TileNumbers numbers, const Vector3& p) : list_(list), p_(p) {
+    const Tag d;
+    least_ = set(std::numeric_limits<float>::infinity());
+    for (std::size_t n = 0; n < numbers.size(); ++n) {
+      const Vector estimate = estimated(p, list.triangles[numbers[n]]);
+      hn::Store(estimate, d, squared_[n]);
+      least_ = hn::Min(least_, estimate);
+    }
+    reject_ = beyond(least_, list.reach, 0);
   }
-  const Vector reject = beyond(least, list.reach, 0);
-  unsigned some = 0, several = 0;
-  std::fill_n(kept, lane_count, 0);
-  for (std::size_t n = 0; n < numbers.size(); ++n) {
-    unsigned within = bits_of(hn::Le(hn::Load(d, squared[n]), reject));
-    several |= some & within;
-    some |= within;
-    for (; within != 0; within &= within - 1) kept[std::countr_zero(within)] |= std::uint64_t{1} << n;
-  }
-  // Where the distance is about zero, the kernel asks for more than the place.
-  const float slack = 2 * (tile_error * list.reach + scan_floor);
-  several &= bits_of(hn::Gt(least, set(slack * slack)));
-  if (several != 0) share_features(list, numbers, p, reject, several, squared, kept);
-}
 
-void scan_tile_here(const TileList& list, TileNumbers numbers, const TilePoints& points,
-                    std::uint64_t* kept) {
+  /// `survivor_of` gives numbers their place among the survivors, or none. False if there is no room.
+  HWY_INLINE bool find(TileNumbers numbers, std::uint8_t* survivor_of, std::size_t point, TileFindings& found) {
+    const Tag d;
+    // Where the distance is about zero, the kernel asks for more than the place.
+    const float slack = 2 * (tile_slip * list_.reach + scan_floor);
+    const auto is_apart = hn::Gt(least_, set(slack * slack));
+    Passed passed;
+    auto some = hn::FirstN(d, 0), several = some;
+    Vector number = hn::Zero(d), place = hn::Zero(d);
+    for (std::size_t n = 0; n < numbers.size(); ++n) {
+      const auto within = hn::Le(hn::Load(d, squared_[n]), reject_);
+      if (hn::AllFalse(d, within)) continue;
+      if (survivor_of[n] == no_survivor) {
+        if (found.count == TileFindings::most) return false;
+        found.survivors[found.count] = numbers[n];
+        survivor_of[n] = static_cast<std::uint8_t>(found.count++);
+      }
+      const std::size_t k = survivor_of[n];
+      const Vector sure = sure_place(p_, list_.triangles[numbers[n]], reject_, is_apart, list_.reach);
+      passed.survivors |= std::uint64_t{1} << k;
+      passed.lanes[k] = bits_of(within);
+      hn::Store(sure, d, passed.places[k]);
+      several = hn::Or(several, hn::And(some, within));
+      some = hn::Or(some, within);
+      number = hn::IfThenElse(within, set(static_cast<float>(numbers[n])), number);
+      place = hn::IfThenElse(within, sure, place);
+    }
+    const Vector unsure = set(unsure_place);
+    place = hn::IfThenElse(several, unsure, place);
+    hn::Store(number, d, found.number + point);
+    hn::Store(place, d, found.place + point);
+    for (unsigned open = bits_of(hn::Eq(place, unsure)); open != 0; open &= open - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(open));
+      settle_lane(list_, passed, lane, point + lane, found);
+    }
+    return true;
+  }
+
+  static constexpr std::uint8_t no_survivor = 255;
+
+ private:
+  const TileList& list_;
+  const Vector3& p_;
+  Vector least_, reject_;
+  HWY_ALIGN float squared_[TileList::most][lane_count];
+};
+
+bool scan_tile_here(const TileList& list, TileNumbers numbers, const TilePoints& points,
+                    TileFindings& found) {
   const Tag d;
+  found.count = 0;
+  std::uint8_t survivor_of[TileList::most];
+  std::fill_n(survivor_of, numbers.size(), VectorScan::no_survivor);
   for (std::size_t first = 0; first < points.count; first += lane_count) {
     const Vector3 p{hn::Load(d, points.at[0] + first), hn::Load(d, points.at[1] + first),
                     hn::Load(d, points.at[2] + first)};
-    scan_vector(list, numbers, p, kept + first);
+    if (!VectorScan(list, numbers, p).find(numbers, survivor_of, first, found)) return false;
   }
+  return true;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -276,9 +326,9 @@ std::size_t prune(const TileList& list, TileNumbers numbers, const TileBox& box,
   return HWY_DYNAMIC_DISPATCH(prune_here)(list, numbers, box, kept);
 }
 
-void scan_tile(const TileList& list, TileNumbers numbers, const TilePoints& points,
-               std::uint64_t* kept) noexcept {
-  HWY_DYNAMIC_DISPATCH(scan_tile_here)(list, numbers, points, kept);
+bool scan_tile(const TileList& list, TileNumbers numbers, const TilePoints& points,
+               TileFindings& found) noexcept {
+  return HWY_DYNAMIC_DISPATCH(scan_tile_here)(list, numbers, points, found);
 }
 
 }  // namespace cdfr

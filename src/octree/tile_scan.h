@@ -2,20 +2,29 @@
 /// single precision, and whole boxes of points drop triangles that are closest to none of them.
 ///
 /// Coordinates are in units of the lattice's edge, relative to the middle c of the points, and rounded to
-/// single precision once. Let r be the largest |p - c|, D the largest reach of the list's groups
-/// (scan_group.h), and d the distance from p to a triangle.
+/// single precision once. Let r be the largest |p - c|, D the longest edge of a triangle, d the distance from
+/// p to a triangle T, so that every vertex is within q = d + D of p and within S = d + D + r of c.
 ///
-/// **Bound.** With u = 2^-24, rounding moves p by at most u r and a vertex, which is within d + D + r of c,
-/// by at most u (d + D + r). What remains is triangle_group.h's arithmetic
-/// with this u, R <= d + D, and three changes: a product with the reciprocal of an edge's squared length
-/// instead of the quotient (1u R more); n x e made first, so that the sums of the triple product come in
-/// another order; and its doubt stated with the largest of the |r|_1, which is at most sqrt(3) (R + D), so
-/// that a face is given up for its border within 16u * 6 (R + D) instead of 16u * 3 R. In all below 256u
-/// (d + D + 2 r). So with tile_error = 512u, `reach` = D + 2 r, and scan_floor for what scan_group.h has it
-/// for and for |e| < 2^-63, whose squares lose digits,
-///     |estimate - d| <= tile_error (d + reach) / 2 + scan_floor / 2,
-/// and the same without halves holds with the estimate in place of d. The unused half covers the roundings
-/// of thresholds and what separates computed distances that tie (scan.h).
+/// **Bound.** With u = 2^-24, to first order:
+///  - Rounding moves p by at most u r and T's vertices by u S: T becomes T^, its distance from p changes by
+///    (2S - q) u at most.
+///  - An edge. For the t that is taken, p minus the edge's point at t is off by u (q + 2D + q): roundings of
+///  r,
+///    e, t e and the difference; its length by another 1.5u q. The product r.e is off by 5u q|e|, |e|^2 by 5u,
+///    its reciprocal and the product with that by 2u: t |e| by 12u q, which only adds, at a right angle.
+///  - The face counts where all r.(n x e) exceed 16u |e|_1 |r|_1; their own error is 8.5u |e| q. So along n p
+///    is above T^, whose edges are at a right angle with n but for 2u S + u D; the height is off by that, and
+///    by u q (r), 3u q (the product) and 2u d (|n| is 1 but for u).
+///  - Where p is above T and the face is given up, p is inside some edge of T^, seen along n, by at most 16u
+///    * 3 (q + D) + 8.5u q + u d < 108u S, and T^ is level there but for 2u S: the border is that far away,
+///    at a right angle, and the height is off by 2u S more.
+/// So what an estimate is too small by is first order alone, below 12u S; and what it is too large by is below
+/// that but for at most 109u S at a right angle. With tile_error = 16u, tile_slip = 128u, reach = D + r and
+/// scan_floor for what scan_group.h has it for and for |e| < 2^-63, whose squares lose digits,
+///     d - (tile_error (d + reach) + f) <= estimate <= sqrt(d^2 + (tile_slip (d + reach))^2) + tile_error (d +
+///     reach) + f.
+/// Both constants have room for the roundings of thresholds, and f for what separates computed distances that
+/// tie (scan.h).
 #pragma once
 
 #include <array>
@@ -31,11 +40,13 @@
 
 namespace cdfr {
 
-inline constexpr float tile_error = 512 * 0x1p-24F;
+inline constexpr float tile_error = 16 * 0x1p-24F;
+inline constexpr float tile_slip = 128 * 0x1p-24F;
 
-/// With S >= d + reach, products r.e and r.(n x e) are off by less than 16u S^2: r is off by 4u S, e, at most
-/// S long itself, by 6u S, and their product's own arithmetic adds 6u S^2 at most. What is larger says for
-/// certain on which side of an edge, and before, on or behind it, the kernel finds a point.
+/// With the true r and e in the place of the rounded ones, products r.e and r.(n x e) are off by less than
+/// 18u S^2: r is off by 3u S, e, at most S long itself, by 2u S and u D, and their product's own arithmetic
+/// adds 9.5u q D at most; |e|^2 - r.e by another 9u S^2. What is larger says for certain on which side of an
+/// edge, and before, on or behind it, the kernel finds a point.
 inline constexpr float place_doubt = 32 * 0x1p-24F;
 
 /// A triangle with what does not depend on the point.
@@ -62,7 +73,7 @@ struct TileList {
 
   /// False if the list holds BVH nodes or more triangles than that. `middle` and `radius` in edges from the
   /// lattice's origin.
-  bool fill(const TriangleStore& store, const ScanGroup* groups, const Lattice& lattice,
+  bool fill(const TriangleStore& store, const Lattice& lattice,
             std::span<const Entry> list, const Vec3& middle, double radius);
 };
 
@@ -87,18 +98,27 @@ struct TileBox {
 ///     d(P,T)^2 - d(P,T')^2 >= sum of w (d(C,T)^2 - d(C,T')^2) - (sum of w |C|^2 - |P|^2),
 /// and the last bracket, the variance of the corners under w, is at most m = (e_1^2 + e_2^2 + e_3^2) / 4 for
 /// edges e. So T is closest nowhere if d(C,T)^2 - d(C,T')^2 > m at all corners. With estimates t and t' it
-/// is so if t > (sqrt((t' + k (t' + reach) + f)^2 + m) + k reach + f) (1 + 2 k) with k = tile_error and f =
-/// scan_floor. The points' true box rounds to this one, corner by corner; its edges are longer by 4u r at
+/// is so if t > (sqrt(U^2 + s^2 + m) + k reach + f) (1 + 2 k), where U = t' + k (t' + reach) + f is at least
+/// d(C,T'), s = tile_slip (U + reach), k = tile_error and f = scan_floor. The points' true box rounds to this one, corner by corner; its edges are longer by 4u r at
 /// most. T' are the triangles closest to the corners and to the octants' centres.
 std::size_t prune(const TileList& list, TileNumbers numbers, const TileBox& box,
                   std::uint16_t* kept) noexcept;
 
-/// Bit n of kept[p] is set if numbers[n] may be the closest one to point p. Of several triangles on which the
-/// kernel certainly finds the same edge's or vertex's foot, hence the same bits (race.cpp), one is kept:
-/// where all edges that may be closest by estimates agree in the place, each by more than place_doubt, the
-/// projection is outside by more than that, and the distance is not about zero. Precondition: at most 64
-/// numbers.
-void scan_tile(const TileList& list, TileNumbers numbers, const TilePoints& points,
-               std::uint64_t* kept) noexcept;
+/// What a scan has left, by point. Of several triangles on which the kernel certainly finds the same edge's or
+/// vertex's foot, hence the same bits (race.cpp), one is kept. A place is certain where every edge says by
+/// more than place_doubt on which side of it the projection is, and before, on or behind it; on the border,
+/// those edges that may be closest by estimates have to agree, and the distance must not be about zero.
+struct TileFindings {
+  static constexpr std::size_t most = 64;
+  std::array<std::uint16_t, most> survivors;  ///< numbers that may be closest to some point
+  std::size_t count;                          ///< of the above that are set
+  alignas(64) float number[TilePoints::most];  ///< of the triangle that is closest
+  alignas(64) float place[TilePoints::most];   ///< of the foot there; or unsure_place, and the number is open:
+  std::uint64_t kept[TilePoints::most];        ///< bit k is set if survivors[k] may be closest
+};
+
+/// False, and nothing of use in `found`, if there are more survivors than that.
+bool scan_tile(const TileList& list, TileNumbers numbers, const TilePoints& points,
+               TileFindings& found) noexcept;
 
 }  // namespace cdfr
