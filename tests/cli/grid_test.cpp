@@ -1,6 +1,7 @@
 /// grid: known distances of a cube with an edge of 5, the same numbers in each format.
 #include <signal.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -40,6 +41,21 @@ TEST_F(GridTest, NpyHasTheKnownDistances) {
   EXPECT_EQ(distance(1, 5, 5), -0.5);
   EXPECT_EQ(distance(5, 5, 8), -1);
   EXPECT_EQ(distance(0, 3, 10), 0);
+}
+
+/// 205^3 samples are more than fit into the memory that a grid is written through.
+TEST_F(GridTest, ALargeGridGoesOnWhereASlabEnds) {
+  const Outcome outcome =
+      run({"grid", cube_, "--resolution", "205", "-o", path("a.npy"), "--json", "--quiet"});
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.json()["inside"], 203 * 203 * 203);
+  const std::string npy = text_of("a.npy");
+  constexpr std::size_t header = 128;
+  ASSERT_EQ(npy.size(), header + std::size_t{205} * 205 * 205 * 8);
+  for (std::size_t k = 0; k < 205; ++k) {
+    const double from_end = 5 * static_cast<double>(std::min(k, 204 - k)) / 204;
+    EXPECT_NEAR(number_at(npy, header + 8 * ((k * 205 + 102) * 205 + 102)), -from_end, 1e-12) << k;
+  }
 }
 
 TEST_F(GridTest, VtiHoldsTheSameNumbers) {

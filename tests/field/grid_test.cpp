@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -94,6 +95,50 @@ TEST(Grid, TakesAnyShapeAndPlace) {
        }) {
     expect_single_answers(field, grid);
   }
+}
+
+/// Spacings that are no round numbers: an origin moved by multiples of them would round elsewhere.
+TEST(Grid, APartHasTheAnswersOfTheWhole) {
+  const Field field = built(test::sphere_mesh(4));
+  const Grid whole = grid_over(field.bounds(), {43, 41, 37}, 0.07);
+  const std::vector<double> expected = distances(field, whole);
+  Grid slab = whole;
+  for (; slab.first[2] < whole.size[2]; slab.first[2] += slab.size[2]) {
+    slab.size[2] = std::min(10U, whole.size[2] - slab.first[2]);
+    const std::vector<double> out = distances(field, slab);
+    const auto begin = expected.begin() + std::ptrdiff_t{slab.first[2]} * 43 * 41;
+    EXPECT_TRUE(std::equal(out.begin(), out.end(), begin)) << slab.first[2];
+  }
+  const Grid box{whole.origin, whole.spacing, {11, 12, 13}, {5, 17, 3}};
+  expect_single_answers(field, box);
+  EXPECT_EQ(distances(field, box)[0], expected[(3 * 41 + 17) * 43 + 5]);
+}
+
+/// Thin triangles around an axis, all equally close to its samples, and close pairs of sheets.
+TEST(Grid, EqualsSingleQueriesWhereManyTrianglesTie) {
+  for (const std::string_view name : {"cylinder-head", "six-star"}) {
+    const Field field = built(make_part(name).value());
+    const Box b = field.bounds();
+    expect_single_answers(field, grid_over(b, {29, 31, 30}, 0.05));
+    // A plane through the middle, twice as fine along it.
+    const Grid fine = grid_over(b, {97, 89, 3}, 0);
+    expect_single_answers(field, {fine.origin, fine.spacing, {97, 89, 1}, {0, 0, 1}});
+  }
+  const Field cylinder = built(test::sphere_mesh(5, 1, {0, 0, 0}));
+  // Around the centre, from which all triangles are about as far.
+  expect_single_answers(cylinder, {{-0.01, -0.01, -0.01}, {0.001, 0.001, 0.001}, {21, 21, 21}});
+}
+
+/// Each rounds in single precision by itself: what tiles prune must not depend on the mesh's place or size.
+TEST(Grid, EqualsSingleQueriesNearLargeTrianglesAndFarFromTheOrigin) {
+  Mesh mesh = test::box_mesh({{1000, 1000, 1000}, {1100, 1001, 1030}});
+  const Mesh dust = test::sphere_mesh(2, 0.05, {1050, 1001.3, 1015});
+  const auto shift = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), dust.vertices.begin(), dust.vertices.end());
+  for (Triangle t : dust.triangles) mesh.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  const Field field = built(mesh);
+  expect_single_answers(field, grid_over(field.bounds(), {37, 33, 35}, 0.05));
+  expect_single_answers(field, {{1049.9, 1001.1, 1014.9}, {0.01, 0.01, 0.01}, {25, 25, 25}});
 }
 
 TEST(Grid, OfAMeshThatIsTheOriginAlone) {

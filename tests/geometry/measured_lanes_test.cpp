@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include <array>
 #include <bit>
 
 #include "geometry/kernel_cases.h"
@@ -10,14 +11,19 @@
 namespace cdfr {
 namespace {
 
+void expect_foot(const MeasuredLanes& measured, std::size_t lane, const Vec3& p,
+                 const TriangleShape& triangle) {
+  const Foot foot = measure(p, triangle);
+  ASSERT_TRUE(test::same_bits(measured.foot(triangle, lane), foot));
+  ASSERT_EQ(std::bit_cast<std::uint64_t>(measured.distance[lane]),
+            std::bit_cast<std::uint64_t>(square_root(foot.squared)));
+}
+
 void expect_as_one_by_one(const PairLanes& pairs) {
   MeasuredLanes measured;
   measure(pairs, measured);
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    const Foot foot = measure(pairs.p(lane), pairs.triangle(lane));
-    ASSERT_TRUE(test::same_bits(measured.foot(pairs, lane), foot));
-    ASSERT_EQ(std::bit_cast<std::uint64_t>(measured.distance[lane]),
-              std::bit_cast<std::uint64_t>(square_root(foot.squared)));
+    expect_foot(measured, lane, pairs.p(lane), pairs.triangle(lane));
   }
 }
 
@@ -58,6 +64,31 @@ TEST(MeasuredLanes, MayAllLieOnFacesOrAllBesideThem) {
       }
       expect_as_one_by_one(pairs);
     }
+  });
+}
+
+/// Points of one triangle whose feet are at one place, wherever that is.
+TEST(MeasuredLanes, MayMeetOneTriangleAtAPlaceThatIsKnown) {
+  on_every_set([] {
+    test::Random random(43);
+    std::array<int, 7> met{};
+    for (int i = 0; i < 6000; ++i) {
+      const test::KernelCase c = test::random_kernel_case(random);
+      const TrianglePlace place = estimate_place(c.p, c.triangle).place;
+      if (place == unsure_place) continue;
+      PointLanes points;
+      for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        const Vec3 q = test::toward(c.p, c.triangle.vertices[lane % 3], test::power_below_one(random, 30) / 2);
+        points.set(lane, estimate_place(q, c.triangle).place == place ? q : c.p);
+      }
+      MeasuredLanes measured;
+      measure_at(c.triangle, place, points, measured);
+      for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        expect_foot(measured, lane, points.p(lane), c.triangle);
+      }
+      ++met[place];
+    }
+    for (const int times : met) EXPECT_GT(times, 10);
   });
 }
 

@@ -2,11 +2,11 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "audit_report.h"
-#include "byte_sink.h"
 #include "cdfr/field/grid.h"
 #include "grid_file.h"
 #include "input.h"
@@ -25,6 +25,8 @@ namespace cdfr::command {
 namespace {
 
 constexpr int most_samples = 8192;
+/// Planes are answered and written in slabs of so many samples, 64 MB, or of one plane if that has more.
+constexpr std::size_t slab_samples = std::size_t{1} << 23;
 
 struct Arguments {
   std::string input, output;
@@ -34,8 +36,16 @@ struct Arguments {
 
 struct Summary {
   std::uint64_t inside = 0;
-  double least = 0, greatest = 0;
+  double least = HUGE_VAL, greatest = -HUGE_VAL;
   double seconds = 0;
+
+  void add(std::span<const double> distances) {
+    for (const double d : distances) {
+      inside += d < 0;
+      least = std::min(least, d);
+      greatest = std::max(greatest, d);
+    }
+  }
 };
 
 /// From the box's lower corner, as wide in all directions: `resolution` samples along the longest side, and
@@ -51,17 +61,28 @@ Grid grid_over(const Box& box, int resolution) {
   return grid;
 }
 
+/// Slab after slab, so that memory does not grow with the grid.
 Summary answer(const Arguments& arguments, const Field& field, const Grid& grid) {
   const auto start = std::chrono::steady_clock::now();
   Steering steering(arguments.settings, "sampling");
-  std::vector<double> distances(grid.count());
-  need(field.distance(grid, distances, steering.run()), arguments.input);
-  write_grid(grid, distances, arguments.output);
+  GridFile file(grid, arguments.output);
+  Summary summary;
+  const std::size_t plane = std::size_t{grid.size[0]} * grid.size[1];
+  const auto thickness = static_cast<std::uint32_t>(std::max<std::size_t>(slab_samples / plane, 1));
+  std::vector<double> distances;
+  for (Grid slab = grid; slab.first[2] < grid.size[2]; slab.first[2] += slab.size[2]) {
+    slab.size[2] = std::min(thickness, grid.size[2] - slab.first[2]);
+    distances.resize(slab.count());
+    const double planes = grid.size[2];
+    steering.share(slab.first[2] / planes, (slab.first[2] + slab.size[2]) / planes);
+    need(field.distance(slab, distances, steering.run()), arguments.input);
+    file.write(distances);
+    summary.add(distances);
+  }
+  file.finish();
   stop_if_interrupted();
-  const auto [least, greatest] = std::minmax_element(distances.begin(), distances.end());
-  const auto inside = std::count_if(distances.begin(), distances.end(), [](double d) { return d < 0; });
-  return {static_cast<std::uint64_t>(inside), *least, *greatest,
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return summary;
 }
 
 Json grid_json(const Arguments& arguments, const Input& input, const Grid& grid, const Summary& summary) {

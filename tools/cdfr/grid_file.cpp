@@ -47,20 +47,25 @@ std::string vti_header(const Grid& grid) {
 
 }  // namespace
 
-void write_grid(const Grid& grid, std::span<const double> distances, const std::filesystem::path& path) {
-  const bool is_image = extension_of(path) == ".vti";
-  const auto sink = whole_file(path);
-  sink->write(is_image ? vti_header(grid) : npy_header(shape_text(grid)));
+GridFile::GridFile(const Grid& grid, const std::filesystem::path& path)
+    : is_image_(extension_of(path) == ".vti"), sink_(whole_file(path)) {
+  sink_->write(is_image_ ? vti_header(grid) : npy_header(shape_text(grid)));
+}
+
+void GridFile::write(std::span<const double> distances) {
   std::string bytes;
   for (std::size_t first = 0; first < distances.size(); first += block_numbers) {
     bytes.clear();
     for (const double d : distances.subspan(first, std::min(block_numbers, distances.size() - first))) {
       append_bytes(bytes, d);
     }
-    sink->write(bytes);
+    sink_->write(bytes);
   }
-  if (is_image) sink->write("\n</AppendedData>\n</VTKFile>\n");
-  sink->finish();
+}
+
+void GridFile::finish() {
+  if (is_image_) sink_->write("\n</AppendedData>\n</VTKFile>\n");
+  sink_->finish();
 }
 
 }  // namespace cdfr::command

@@ -2,14 +2,27 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <span>
 
+#include "byte_sink.h"
 #include "cdfr/field/grid.h"
 
 namespace cdfr::command {
 
 /// The extension names the format: .npy (nz, ny, nx) or .vti, an image with the point data "distance". Hold
-/// signals back meanwhile (whole_file).
-void write_grid(const Grid& grid, std::span<const double> distances, const std::filesystem::path& path);
+/// signals back while it lives (whole_file).
+class GridFile {
+ public:
+  GridFile(const Grid& grid, const std::filesystem::path& path);
+  /// The next samples, x fastest.
+  void write(std::span<const double> distances);
+  /// Call once, after all samples. Without it nothing is left behind.
+  void finish();
+
+ private:
+  bool is_image_;
+  std::unique_ptr<ByteSink> sink_;
+};
 
 }  // namespace cdfr::command
