@@ -33,10 +33,12 @@ struct Made {
                      {middle.x + spread, middle.y + spread, middle.z + spread}};
       scene.add(test::shaped_group(random, test::all_shapes[random.below(6)], random.in(near), size), 0xff);
     }
-    for (const test::ShapedGroup& made : scene.groups) store.groups.push_back(made.group);
+    for (const test::ShapedGroup& made : scene.groups) {
+      for (const TriangleShape& shape : made.shapes) store.exact.push_back({shape, 0, 0});
+    }
     for (std::uint32_t slot = 0; slot < scene.groups.size() * group_size; ++slot) {
       const std::array<std::uint32_t, 3> ids{3 * slot, 3 * slot + 1, 3 * slot + 2};
-      store.records.push_back({{}, ids, ids, slot, 0, Sides::unknown, {}});
+      store.records.push_back({ids, ids, slot, Sides::unknown, {}});
     }
   }
 
