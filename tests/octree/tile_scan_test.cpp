@@ -40,9 +40,8 @@ struct Made {
     }
   }
 
-  DoubleDouble squared(const Vec3& p, const TileTriangle& t) const { return scene.squared(p, t.slot); }
-  Foot foot(const Vec3& p, const TileTriangle& t) const {
-    return measure(p, scene.groups[t.slot / group_size].shapes[t.slot % group_size]);
+    Foot foot(const Vec3& p, std::uint32_t slot) const {
+    return measure(p, scene.groups[slot / group_size].shapes[slot % group_size]);
   }
 };
 
@@ -99,10 +98,10 @@ void on_every_instruction_set(F f) {
 
 std::vector<std::size_t> closest(const Made& made, const Tile& tile, const Vec3& p) {
   DoubleDouble least{HUGE_VAL, 0};
-  for (const TileTriangle& t : tile.list.triangles) least = std::min(least, made.squared(p, t));
+  for (const std::uint32_t slot : tile.list.slots) least = std::min(least, made.scene.squared(p, slot));
   std::vector<std::size_t> winners;
-  for (std::size_t n = 0; n < tile.list.triangles.size(); ++n) {
-    if (made.squared(p, tile.list.triangles[n]) == least) winners.push_back(n);
+  for (std::size_t n = 0; n < tile.list.slots.size(); ++n) {
+    if (made.scene.squared(p, tile.list.slots[n]) == least) winners.push_back(n);
   }
   return winners;
 }
@@ -118,7 +117,7 @@ void check_findings(const Made& made, const Tile& tile, const std::vector<Vec3>&
       ++alone;
       const auto number = static_cast<std::size_t>(found.number[i]);
       ASSERT_EQ(winners, std::vector<std::size_t>{number});
-      const Foot foot = made.foot(at[i], tile.list.triangles[number]);
+      const Foot foot = made.foot(at[i], tile.list.slots[number]);
       ASSERT_EQ(foot.place, place);
       ASSERT_TRUE(place == 0 || foot.squared.hi > 0);
       continue;
