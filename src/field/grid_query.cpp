@@ -84,9 +84,8 @@ class GridChunk {
       middle_[axis] = (lo + hi) / 2;
       squared += (hi - lo) * (hi - lo) / 4;
     }
-    if (count_of(samples) < fewest ||
-        !list_.fill(field_.triangles, field_.tree.lattice, leaf.entries,
-                    {middle_[0], middle_[1], middle_[2]}, std::sqrt(squared))) {
+    if (count_of(samples) < fewest || !list_.fill(field_.triangles, field_.tree.lattice, leaf.entries,
+                                                  {middle_[0], middle_[1], middle_[2]}, std::sqrt(squared))) {
       return all_singly(samples);
     }
     std::array<std::uint16_t, TileList::most> numbers;

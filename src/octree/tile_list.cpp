@@ -20,8 +20,9 @@ TileTriangle::Axis axis(const Vector3d& way, const Vector3d& from) {
 
 /// Where the area is zero, corners are on one line or all the same: any direction across it.
 Vector3d normal_across(const Vector3d (&edges)[3]) {
-  const Vector3d* longest = std::max_element(
-      edges, edges + 3, [](const Vector3d& a, const Vector3d& b) { return a.squaredNorm() < b.squaredNorm(); });
+  const Vector3d* longest = std::max_element(edges, edges + 3, [](const Vector3d& a, const Vector3d& b) {
+    return a.squaredNorm() < b.squaredNorm();
+  });
   return longest->squaredNorm() > 0 ? longest->unitOrthogonal() : Vector3d(Vector3d::UnitZ());
 }
 

@@ -148,10 +148,11 @@ std::size_t prune_here(const TileList& list, TileNumbers numbers, const TileBox&
   return count;
 }
 
-/// Lets an edge say where its closest point is, if it may be the closest edge: its own place is `between`, its
-/// ends' are at_from and at_to.
-HWY_INLINE void join(const Beside& edge, const TileTriangle::Edge& e, float between, float at_from, float at_to,
-                     Vector doubt, hn::Mask<Tag> may_be_closest, Vector& lowest, Vector& highest) {
+/// Lets an edge say where its closest point is, if it may be the closest edge: its own place is `between`,
+/// its ends' are at_from and at_to.
+HWY_INLINE void join(const Beside& edge, const TileTriangle::Edge& e, float between, float at_from,
+                     float at_to, Vector doubt, hn::Mask<Tag> may_be_closest, Vector& lowest,
+                     Vector& highest) {
   const Vector rest = hn::Sub(set(e.length), edge.x);
   Vector place = set(unsure_place);
   place = hn::IfThenElse(hn::Gt(hn::Min(edge.x, rest), doubt), set(between), place);
@@ -190,8 +191,8 @@ std::uint64_t feature_at(const TileList& list, std::size_t number, std::size_t p
 
 /// For one vector of points, what passed the bound.
 struct Passed {
-  std::uint64_t survivors = 0;                    ///< bit k is set if survivor k did for any point
-  unsigned lanes[TileFindings::most];             ///< for which points, if so
+  std::uint64_t survivors = 0;         ///< bit k is set if survivor k did for any point
+  unsigned lanes[TileFindings::most];  ///< for which points, if so
   HWY_ALIGN float places[TileFindings::most][lane_count];
 };
 
@@ -243,7 +244,8 @@ class VectorScan {
   }
 
   /// `survivor_of` gives numbers their place among the survivors, or none. False if there is no room.
-  HWY_INLINE bool find(TileNumbers numbers, std::uint8_t* survivor_of, std::size_t point, TileFindings& found) {
+  HWY_INLINE bool find(TileNumbers numbers, std::uint8_t* survivor_of, std::size_t point,
+                       TileFindings& found) {
     const Tag d;
     // Where the distance is about zero, the kernel asks for more than the place.
     const float slack = 2 * ((tile_slip + tile_error) * list_.reach + scan_floor);
