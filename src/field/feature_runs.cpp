@@ -41,7 +41,8 @@ void FeatureRuns::run(Members members) noexcept {
   const TriangleShape shape = field_.triangles.shape(first.slot);
   // A triangle of no area has rules of its own (Race).
   if (members.size() < fewest_in_run || rounded(shape.normal) == Vec3{}) {
-    for (const std::uint16_t i : members) few_.add(waiting_[i].place, waiting_[i].p, side_, {&waiting_[i].slot, 1});
+    for (const std::uint16_t i : members)
+      few_.add(waiting_[i].place, waiting_[i].p, side_, {&waiting_[i].slot, 1});
     return;
   }
   PointLanes points;

@@ -1,5 +1,5 @@
-/// Signed distances of points whose closest feature is known before they meet the kernel: those of one feature
-/// meet it together, a vector at a time.
+/// Signed distances of points whose closest feature is known before they meet the kernel: those of one
+/// feature meet it together, a vector at a time.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ class FeatureRuns {
 
   /// Points that follow lie in leaves of that side, and triangles get numbers afresh.
   void begin(Side side) noexcept { side_ = side; }
-  /// out[place] is to be the signed distance of p. The closest triangle is `slot`, with the foot at that place
-  /// of it; `number` tells triangles apart. It may be set as late as in settle().
+  /// out[place] is to be the signed distance of p. The closest triangle is `slot`, with the foot at that
+  /// place of it; `number` tells triangles apart. It may be set as late as in settle().
   void add(std::size_t place, const Vec3& p, std::uint32_t slot, std::size_t number,
            TrianglePlace foot) noexcept {
     if (count_ == waiting_.size()) settle();
@@ -44,7 +44,8 @@ class FeatureRuns {
 
   void sort() noexcept;
   void run(Members members) noexcept;
-  double distance_of(std::size_t lane, const Vec3& p, std::uint32_t slot, const TriangleShape& shape) const noexcept;
+  double distance_of(std::size_t lane, const Vec3& p, std::uint32_t slot,
+                     const TriangleShape& shape) const noexcept;
 
   const FieldData& field_;
   std::span<double> out_;

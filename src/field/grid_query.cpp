@@ -40,6 +40,7 @@ class GridChunk {
         runs_(field, out, contests_),
         is_origin_(field.bounds() == Box{}) {
     list_.triangles.reserve(TileList::most + group_size);
+    list_.slots.reserve(TileList::most + group_size);
   }
 
   /// False if cancelled.
@@ -83,9 +84,8 @@ class GridChunk {
       middle_[axis] = (lo + hi) / 2;
       squared += (hi - lo) * (hi - lo) / 4;
     }
-    if (count_of(samples) < fewest ||
-        !list_.fill(field_.triangles, field_.tree.lattice, leaf.entries,
-                    {middle_[0], middle_[1], middle_[2]}, std::sqrt(squared))) {
+    if (count_of(samples) < fewest || !list_.fill(field_.triangles, field_.tree.lattice, leaf.entries,
+                                                  {middle_[0], middle_[1], middle_[2]}, std::sqrt(squared))) {
       return all_singly(samples);
     }
     std::array<std::uint16_t, TileList::most> numbers;
@@ -153,7 +153,7 @@ class GridChunk {
         contest(sample, found, found.kept[point]);
       } else {
         const auto number = static_cast<std::size_t>(found.number[point]);
-        runs_.add(place(sample), axes_.point(sample), list_.triangles[number].slot, number, foot);
+        runs_.add(place(sample), axes_.point(sample), list_.slots[number], number, foot);
       }
       ++point;
     });
@@ -164,7 +164,7 @@ class GridChunk {
     std::size_t count = 0;
     for (; kept != 0; kept &= kept - 1) {
       if (count == slots.size()) return singly(sample);
-      slots[count++] = list_.triangles[found.survivors[static_cast<std::size_t>(std::countr_zero(kept))]].slot;
+      slots[count++] = list_.slots[found.survivors[static_cast<std::size_t>(std::countr_zero(kept))]];
     }
     contests_.add(place(sample), axes_.point(sample), side_, {slots.data(), count});
   }

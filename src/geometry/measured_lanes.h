@@ -54,8 +54,8 @@ struct alignas(64) MeasuredLanes {
 /// place open, or whether the distance is zero, are measured one by one.
 void measure(const PairLanes& pairs, MeasuredLanes& measured) noexcept;
 
-/// The same for a triangle and points whose feet certainly lie at that place; where it is an edge or a corner,
-/// none is at a distance of zero (PlaceEstimate).
+/// The same for a triangle and points whose feet certainly lie at that place; where it is an edge or a
+/// corner, none is at a distance of zero (PlaceEstimate).
 void measure_at(const TriangleShape& triangle, TrianglePlace place, const PointLanes& points,
                 MeasuredLanes& measured) noexcept;
 

@@ -1,88 +1,79 @@
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 
+#include "core/vector.h"
 #include "octree/tile_scan.h"
 
 namespace cdfr {
 namespace {
 
-void set_edge(TileTriangle::Edge& edge, const float (&from)[3], const float (&to)[3],
-              const float (&normal)[3]) {
-  float length = 0, size = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    edge.along[axis] = to[axis] - from[axis];
-    length += edge.along[axis] * edge.along[axis];
-    size += std::fabs(edge.along[axis]);
-  }
-  edge.length = length;
-  edge.over = 1 / std::max(length, std::numeric_limits<float>::min());
-  const auto& e = edge.along;
-  edge.inwards[0] = normal[1] * e[2] - normal[2] * e[1];
-  edge.inwards[1] = normal[2] * e[0] - normal[0] * e[2];
-  edge.inwards[2] = normal[0] * e[1] - normal[1] * e[0];
-  edge.doubt = 16 * 0x1p-24F * size;
+using Eigen::Vector3d;
+
+TileTriangle::Axis axis(const Vector3d& way, const Vector3d& from) {
+  return {{static_cast<float>(way[0]), static_cast<float>(way[1]), static_cast<float>(way[2])},
+          static_cast<float>(way.dot(from))};
 }
 
-float size_of(const TileTriangle::Edge& edge) {
-  return std::fabs(edge.along[0]) + std::fabs(edge.along[1]) + std::fabs(edge.along[2]);
+/// Where the area is zero, corners are on one line or all the same: any direction across it.
+Vector3d normal_across(const Vector3d (&edges)[3]) {
+  const Vector3d* longest = std::max_element(edges, edges + 3, [](const Vector3d& a, const Vector3d& b) {
+    return a.squaredNorm() < b.squaredNorm();
+  });
+  return longest->squaredNorm() > 0 ? longest->unitOrthogonal() : Vector3d(Vector3d::UnitZ());
 }
 
-void name_features(TileTriangle& triangle, const TriangleRecord& record) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    triangle.features[k] = std::uint64_t{record.edges[k]} << 1;
-    triangle.features[3 + k] = std::uint64_t{record.vertices[k]} << 1 | 1;
-  }
-}
-
-/// The triangle from `middle`, which is in edges from the lattice's origin.
-TileTriangle seen_from(const TriangleShape& shape, const Lattice& lattice,
-                       const Vec3& middle) {
-  TileTriangle t;
-  float c[3];
-  const double origin[3] = {lattice.origin.x, lattice.origin.y, lattice.origin.z};
-  const double centre[3] = {middle.x, middle.y, middle.z};
+/// The triangle from `middle`, which is in edges from the lattice's origin. Its edges are differences of
+/// corners as they are given: of corners seen from the middle, small ones would lose digits.
+TileTriangle seen_from(const TriangleShape& shape, const Lattice& lattice, const Vector3d& middle,
+                       double radius) {
   const double scale = 1 / lattice.edge;  // exact: a power of two
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto seen = [&](int corner) {
-      const Vec3& v = shape.vertices[corner];
-      const double at[3] = {v.x, v.y, v.z};
-      return static_cast<float>((at[axis] - origin[axis]) * scale - centre[axis]);
-    };
-    t.a[axis] = seen(0);
-    t.b[axis] = seen(1);
-    c[axis] = seen(2);
-    t.normal[axis] = static_cast<float>(shape.normal[axis].hi);
+  Vector3d corners[3], from[3], edges[3];
+  double farthest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    corners[k] = to_eigen(shape.vertices[k]);
+    from[k] = (corners[k] - to_eigen(lattice.origin)) * scale - middle;
+    farthest = std::max(farthest, from[k].squaredNorm());
   }
-  set_edge(t.ab, t.a, t.b, t.normal);
-  set_edge(t.bc, t.b, c, t.normal);
-  set_edge(t.ca, t.a, c, t.normal);
-  for (float& x : t.ca.inwards) x = -x;
-  t.extent = std::max(size_of(t.ab), size_of(t.ca));
+  for (std::size_t k = 0; k < 3; ++k) edges[k] = (corners[(k + 1) % 3] - corners[k]) * scale;
+  Vector3d n = to_eigen(rounded(shape.normal));
+  const bool has_area = !n.isZero(0);
+  if (!has_area) n = normal_across(edges);
+  TileTriangle t;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double length = edges[k].norm();
+    const Vector3d along = length > 0 ? Vector3d(edges[k] / length) : n.unitOrthogonal();
+    t.edges[k] = {axis(along, from[k]), axis(n.cross(along), from[k]), static_cast<float>(length)};
+  }
+  t.height = axis(n, from[0]);
+  t.doubt = has_area ? tile_doubt * static_cast<float>(std::sqrt(farthest) + radius)
+                     : std::numeric_limits<float>::infinity();
   return t;
 }
 
 }  // namespace
 
-bool TileList::fill(const TriangleStore& store, const Lattice& lattice,
-                    std::span<const Entry> list, const Vec3& middle, double radius) {
+bool TileList::fill(const TriangleStore& all, const Lattice& lattice, std::span<const Entry> list,
+                    const Vec3& middle, double radius) {
+  store = &all;
   triangles.clear();
+  slots.clear();
   float longest = 0;
   for (const Entry& entry : list) {
     if (!entry.is_group()) return false;
     for (unsigned lanes = entry.lanes(); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
       const std::uint32_t slot = entry.number() * static_cast<std::uint32_t>(group_size) + lane;
-      triangles.push_back(seen_from(store.shape(slot), lattice, middle));
-      TileTriangle& t = triangles.back();
-      longest = std::max({longest, t.ab.length, t.bc.length, t.ca.length});
-      t.slot = slot;
-      name_features(t, store.records[slot]);
+      triangles.push_back(seen_from(all.shape(slot), lattice, to_eigen(middle), radius));
+      slots.push_back(slot);
+      for (const TileTriangle::Edge& edge : triangles.back().edges) longest = std::max(longest, edge.length);
     }
     if (triangles.size() > most) return false;
   }
-  reach = (std::sqrt(longest) + static_cast<float>(radius)) * (1 + tile_error);
+  reach = (longest + static_cast<float>(radius)) * (1 + tile_error);
   return true;
 }
 

@@ -30,40 +30,32 @@ struct Vector3 {
 };
 
 HWY_INLINE Vector set(float value) { return hn::Set(Tag(), value); }
-HWY_INLINE Vector3 minus(const Vector3& p, const float (&q)[3]) {
-  return {hn::Sub(p.x, set(q[0])), hn::Sub(p.y, set(q[1])), hn::Sub(p.z, set(q[2]))};
-}
-HWY_INLINE Vector dot(const Vector3& a, const float (&b)[3]) {
-  return hn::MulAdd(a.z, set(b[2]), hn::MulAdd(a.y, set(b[1]), hn::Mul(a.x, set(b[0]))));
+HWY_INLINE Vector coordinate(const Vector3& p, const TileTriangle::Axis& axis) {
+  const Vector x = hn::MulSub(p.x, set(axis.way[0]), set(axis.start));
+  return hn::MulAdd(p.z, set(axis.way[2]), hn::MulAdd(p.y, set(axis.way[1]), x));
 }
 
 /// Features that a point's triangles are told to share; more than these may come twice.
 constexpr std::size_t most_seen = 8;
 
-/// Squared distance from an edge; r is the point minus one of its ends, with `along` leading to the other.
-HWY_INLINE Vector from_edge(const Vector3& r, const TileTriangle::Edge& edge) {
-  const Vector ratio = hn::Mul(dot(r, edge.along), set(edge.over));
-  const Vector t = hn::Max(hn::Min(ratio, set(1)), hn::Zero(Tag()));
-  const Vector x = hn::NegMulAdd(set(edge.along[0]), t, r.x);
-  const Vector y = hn::NegMulAdd(set(edge.along[1]), t, r.y);
-  const Vector z = hn::NegMulAdd(set(edge.along[2]), t, r.z);
-  return hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x)));
-}
+/// A point by an edge's frame.
+struct Beside {
+  Vector x, y;
+  Vector squared;  ///< distance from the edge in the triangle's plane
+};
 
-HWY_INLINE hn::Mask<Tag> surely_inside(const Vector3& r, const TileTriangle::Edge& edge, Vector size) {
-  return hn::Gt(dot(r, edge.inwards), hn::Mul(set(edge.doubt), size));
+HWY_INLINE Beside beside(const Vector3& p, const TileTriangle::Edge& edge) {
+  const Vector x = coordinate(p, edge.along), y = coordinate(p, edge.inwards);
+  const Vector beyond = hn::Sub(x, hn::Min(hn::Max(x, hn::Zero(Tag())), set(edge.length)));
+  return {x, y, hn::MulAdd(beyond, beyond, hn::Mul(y, y))};
 }
 
 HWY_INLINE Vector estimated(const Vector3& p, const TileTriangle& t) {
-  const Vector3 from_a = minus(p, t.a), from_b = minus(p, t.b);
-  const Vector least =
-      hn::Min(hn::Min(from_edge(from_a, t.ab), from_edge(from_b, t.bc)), from_edge(from_a, t.ca));
-  const Vector size =
-      hn::Add(hn::Add(hn::Abs(from_a.x), hn::Abs(from_a.y)), hn::Add(hn::Abs(from_a.z), set(t.extent)));
-  const auto inside = hn::And(hn::And(surely_inside(from_a, t.ab, size), surely_inside(from_b, t.bc, size)),
-                              surely_inside(from_a, t.ca, size));
-  const Vector height = dot(from_a, t.normal);
-  return hn::IfThenElse(inside, hn::Mul(height, height), least);
+  const Beside ab = beside(p, t.edges[0]), bc = beside(p, t.edges[1]), ca = beside(p, t.edges[2]);
+  const Vector border = hn::Min(hn::Min(ab.squared, bc.squared), ca.squared);
+  const auto is_beside = hn::Le(hn::Min(hn::Min(ab.y, bc.y), ca.y), set(t.doubt));
+  const Vector height = coordinate(p, t.height);
+  return hn::MulAdd(height, height, hn::IfThenElseZero(is_beside, border));
 }
 
 HWY_INLINE unsigned bits_of(hn::Mask<Tag> mask) {
@@ -156,52 +148,51 @@ std::size_t prune_here(const TileList& list, TileNumbers numbers, const TileBox&
   return count;
 }
 
-/// For the points of a vector, what a triangle's edges say that may be closest.
-struct Places {
-  Vector lowest, highest;
-  hn::Mask<Tag> outside;  ///< the projection is certainly not on the face
-  hn::Mask<Tag> inside;   ///< it certainly is
-};
-
-/// Lets an edge join in. Its own place is `between`, its ends' are at_from and at_to.
-HWY_INLINE void join(const Vector3& r, const TileTriangle::Edge& edge, float between, float at_from,
-                     float at_to, Vector doubt, Vector most, Places& places) {
-  const Vector s = dot(r, edge.along), rest = hn::Sub(set(edge.length), s);
+/// Lets an edge say where its closest point is, if it may be the closest edge: its own place is `between`,
+/// its ends' are at_from and at_to.
+HWY_INLINE void join(const Beside& edge, const TileTriangle::Edge& e, float between, float at_from,
+                     float at_to, Vector doubt, hn::Mask<Tag> may_be_closest, Vector& lowest,
+                     Vector& highest) {
+  const Vector rest = hn::Sub(set(e.length), edge.x);
   Vector place = set(unsure_place);
-  place = hn::IfThenElse(hn::And(hn::Gt(s, doubt), hn::Gt(rest, doubt)), set(between), place);
-  place = hn::IfThenElse(hn::Lt(s, hn::Neg(doubt)), set(at_from), place);
+  place = hn::IfThenElse(hn::Gt(hn::Min(edge.x, rest), doubt), set(between), place);
+  place = hn::IfThenElse(hn::Lt(edge.x, hn::Neg(doubt)), set(at_from), place);
   place = hn::IfThenElse(hn::Lt(rest, hn::Neg(doubt)), set(at_to), place);
-  const auto may_be_closest = hn::Le(from_edge(r, edge), most);
-  places.lowest = hn::IfThenElse(may_be_closest, hn::Min(places.lowest, place), places.lowest);
-  places.highest = hn::IfThenElse(may_be_closest, hn::Max(places.highest, place), places.highest);
-  const Vector side = dot(r, edge.inwards);
-  places.outside = hn::Or(places.outside, hn::Lt(side, hn::Neg(doubt)));
-  places.inside = hn::And(places.inside, hn::Gt(side, doubt));
+  lowest = hn::IfThenElse(may_be_closest, hn::Min(lowest, place), lowest);
+  highest = hn::IfThenElse(may_be_closest, hn::Max(highest, place), highest);
 }
 
-/// Where on the triangle the kernel certainly finds the foot, or unsure_place. The triangle's own least
-/// estimate is at most `reject`; `is_apart` where the distance is certainly not zero.
-HWY_INLINE Vector sure_place(const Vector3& p, const TileTriangle& t, Vector reject, hn::Mask<Tag> is_apart,
-                             float reach) {
+/// Where on the triangle the kernel certainly finds the foot, or unsure_place. No edge whose estimate exceeds
+/// `most` is closest; `is_apart` where the distance is certainly not zero.
+HWY_INLINE Vector sure_place(const Vector3& p, const TileTriangle& t, Vector most, hn::Mask<Tag> is_apart) {
   const Tag d;
-  const Vector3 from_a = minus(p, t.a), from_b = minus(p, t.b);
-  const Vector size = hn::Add(hn::Sqrt(reject), set(reach));
-  const Vector doubt = hn::Mul(set(place_doubt), hn::Mul(size, size));
-  const Vector most = beyond(reject, reach, 0);
-  Places places{set(unsure_place), hn::Zero(d), hn::FirstN(d, 0), hn::FirstN(d, lane_count)};
-  join(from_a, t.ab, 1, 4, 5, doubt, most, places);
-  join(from_b, t.bc, 2, 5, 6, doubt, most, places);
-  join(from_a, t.ca, 3, 4, 6, doubt, most, places);
-  const auto agree = hn::And(is_apart, hn::Eq(places.lowest, places.highest));
-  const Vector place =
-      hn::IfThenElse(hn::And(places.outside, agree), places.lowest, set(unsure_place));
-  return hn::IfThenElse(places.inside, hn::Zero(d), place);
+  const Vector doubt = set(t.doubt), unsure = set(unsure_place);
+  const Vector height = coordinate(p, t.height);
+  Vector least_y = set(std::numeric_limits<float>::infinity()), lowest = unsure, highest = hn::Zero(d);
+  for (int k = 0; k < 3; ++k) {
+    const Beside edge = beside(p, t.edges[k]);
+    const auto may_be_closest = hn::Le(hn::MulAdd(height, height, edge.squared), most);
+    join(edge, t.edges[k], static_cast<float>(1 + k), static_cast<float>(4 + k),
+         static_cast<float>(4 + (k + 1) % 3), doubt, may_be_closest, lowest, highest);
+    least_y = hn::Min(least_y, edge.y);
+  }
+  const auto outside = hn::Lt(least_y, hn::Neg(doubt));
+  const auto on_border = hn::And(hn::And(outside, is_apart), hn::Eq(lowest, highest));
+  const Vector place = hn::IfThenElse(on_border, lowest, unsure);
+  return hn::IfThenElse(hn::Gt(least_y, doubt), hn::Zero(d), place);
+}
+
+/// A name for the edge or vertex at that place of a triangle.
+std::uint64_t feature_at(const TileList& list, std::size_t number, std::size_t place) {
+  const TriangleRecord& record = list.store->records[list.slots[number]];
+  return place < 4 ? std::uint64_t{record.edges[place - 1]} << 1
+                   : std::uint64_t{record.vertices[place - 4]} << 1 | 1;
 }
 
 /// For one vector of points, what passed the bound.
 struct Passed {
-  std::uint64_t survivors = 0;                    ///< bit k is set if survivor k did for any point
-  unsigned lanes[TileFindings::most];             ///< for which points, if so
+  std::uint64_t survivors = 0;         ///< bit k is set if survivor k did for any point
+  unsigned lanes[TileFindings::most];  ///< for which points, if so
   HWY_ALIGN float places[TileFindings::most][lane_count];
 };
 
@@ -216,7 +207,7 @@ HWY_INLINE std::uint64_t distinct(const TileList& list, const TileFindings& foun
     if ((passed.lanes[k] >> lane & 1U) == 0) continue;
     const auto place = static_cast<std::size_t>(passed.places[k][lane]);
     if (place != 0 && place != unsure_place) {
-      const std::uint64_t feature = list.triangles[found.survivors[k]].features[place - 1];
+      const std::uint64_t feature = feature_at(list, found.survivors[k], place);
       if (std::find(seen, seen + seen_count, feature) != seen + seen_count) continue;
       if (seen_count < most_seen) seen[seen_count++] = feature;
     }
@@ -241,21 +232,25 @@ class VectorScan {
  public:
   HWY_INLINE VectorScan(const TileList& list, TileNumbers numbers, const Vector3& p) : list_(list), p_(p) {
     const Tag d;
-    least_ = set(std::numeric_limits<float>::infinity());
+    // In a register of its own: `this` is in memory.
+    Vector least = set(std::numeric_limits<float>::infinity());
     for (std::size_t n = 0; n < numbers.size(); ++n) {
       const Vector estimate = estimated(p, list.triangles[numbers[n]]);
       hn::Store(estimate, d, squared_[n]);
-      least_ = hn::Min(least_, estimate);
+      least = hn::Min(least, estimate);
     }
-    reject_ = beyond(least_, list.reach, 0);
+    least_ = least;
+    reject_ = beyond(least, list.reach, 0);
   }
 
   /// `survivor_of` gives numbers their place among the survivors, or none. False if there is no room.
-  HWY_INLINE bool find(TileNumbers numbers, std::uint8_t* survivor_of, std::size_t point, TileFindings& found) {
+  HWY_INLINE bool find(TileNumbers numbers, std::uint8_t* survivor_of, std::size_t point,
+                       TileFindings& found) {
     const Tag d;
     // Where the distance is about zero, the kernel asks for more than the place.
-    const float slack = 2 * (tile_slip * list_.reach + scan_floor);
+    const float slack = 2 * ((tile_slip + tile_error) * list_.reach + scan_floor);
     const auto is_apart = hn::Gt(least_, set(slack * slack));
+    const Vector most = beyond(reject_, list_.reach, 0);
     Passed passed;
     auto some = hn::FirstN(d, 0), several = some;
     Vector number = hn::Zero(d), place = hn::Zero(d);
@@ -268,7 +263,7 @@ class VectorScan {
         survivor_of[n] = static_cast<std::uint8_t>(found.count++);
       }
       const std::size_t k = survivor_of[n];
-      const Vector sure = sure_place(p_, list_.triangles[numbers[n]], reject_, is_apart, list_.reach);
+      const Vector sure = sure_place(p_, list_.triangles[numbers[n]], most, is_apart);
       passed.survivors |= std::uint64_t{1} << k;
       passed.lanes[k] = bits_of(within);
       hn::Store(sure, d, passed.places[k]);

@@ -1,28 +1,26 @@
 /// Many points of one leaf against the leaf's list: each triangle meets a vector of points at a time, in
 /// single precision, and whole boxes of points drop triangles that are closest to none of them.
 ///
-/// Coordinates are in units of the lattice's edge, relative to the middle c of the points, and rounded to
-/// single precision once. Let r be the largest |p - c|, D the longest edge of a triangle, d the distance from
-/// p to a triangle T, so that every vertex is within q = d + D of p and within S = d + D + r of c.
+/// Coordinates are in units of the lattice's edge, relative to the middle c of the points. A triangle is
+/// given by a frame for each edge: x along it from its first vertex, y inwards, and h along the normal, which
+/// all three share. Frames and their origins are computed in double and rounded to single precision once. So
+/// between vertices the distance is sqrt(y^2 + h^2), before and behind them x counts too, and above the face
+/// h alone.
 ///
-/// **Bound.** With u = 2^-24, to first order:
-///  - Rounding moves p by at most u r and T's vertices by u S: T becomes T^, its distance from p changes by
-///    (2S - q) u at most.
-///  - An edge. For the t that is taken, p minus the edge's point at t is off by u (q + 2D + q): roundings of
-///  r,
-///    e, t e and the difference; its length by another 1.5u q. The product r.e is off by 5u q|e|, |e|^2 by 5u,
-///    its reciprocal and the product with that by 2u: t |e| by 12u q, which only adds, at a right angle.
-///  - The face counts where all r.(n x e) exceed 16u |e|_1 |r|_1; their own error is 8.5u |e| q. So along n p
-///    is above T^, whose edges are at a right angle with n but for 2u S + u D; the height is off by that, and
-///    by u q (r), 3u q (the product) and 2u d (|n| is 1 but for u).
-///  - Where p is above T and the face is given up, p is inside some edge of T^, seen along n, by at most 16u
-///    * 3 (q + D) + 8.5u q + u d < 108u S, and T^ is level there but for 2u S: the border is that far away,
-///    at a right angle, and the height is off by 2u S more.
-/// So what an estimate is too small by is first order alone, below 12u S; and what it is too large by is below
-/// that but for at most 109u S at a right angle. With tile_error = 16u, tile_slip = 128u, reach = D + r and
-/// scan_floor for what scan_group.h has it for and for |e| < 2^-63, whose squares lose digits,
-///     d - (tile_error (d + reach) + f) <= estimate <= sqrt(d^2 + (tile_slip (d + reach))^2) + tile_error (d +
-///     reach) + f.
+/// **Bound.** Let u = 2^-24, r the largest |p - c|, V the largest |v - c| of the triangle's vertices, D the
+/// longest edge of the list, d the distance from p to a triangle T; V <= S = d + D + r.
+///  - A coordinate is f.p - f.v. Rounding the frame, p and f.v moves it by u r, u r and u V, three sums round
+///    by u (V + r) each, and products, where they are not fused, by 2u r: in all u (4V + 7r) at most, below
+///    11u S.
+///  - The length of an edge is off by u D. So x beyond the edge is off by 13u S with its own rounding, the
+///    vector (x, y, h) by sqrt(11^2 + 11^2 + 13^2) < 21u S, and its length by another 1.5u (d + D): 23u S.
+///  - The face counts where all y exceed 8u (V + r) >= u (4V + 7r): p is above it for certain. Where the face
+///    is given up though p is above it, p is inside some edge by at most u (12V + 15r) < 28u S: the border is
+///    that far away, at a right angle to d.
+/// With tile_error = 32u, tile_slip = 32u, reach = D + r and scan_floor for what scan_group.h has it for and
+/// for coordinates below 2^-63, whose squares lose digits,
+///     d - (tile_error (d + reach) + f) <= estimate <= sqrt(d^2 + (tile_slip (d + reach))^2) + tile_error (d
+///     + reach) + f.
 /// Both constants have room for the roundings of thresholds, and f for what separates computed distances that
 /// tie (scan.h).
 #pragma once
@@ -40,41 +38,39 @@
 
 namespace cdfr {
 
-inline constexpr float tile_error = 16 * 0x1p-24F;
-inline constexpr float tile_slip = 128 * 0x1p-24F;
-
-/// With the true r and e in the place of the rounded ones, products r.e and r.(n x e) are off by less than
-/// 18u S^2: r is off by 3u S, e, at most S long itself, by 2u S and u D, and their product's own arithmetic
-/// adds 9.5u q D at most; |e|^2 - r.e by another 9u S^2. What is larger says for certain on which side of an
-/// edge, and before, on or behind it, the kernel finds a point.
-inline constexpr float place_doubt = 32 * 0x1p-24F;
+inline constexpr float tile_error = 32 * 0x1p-24F;
+inline constexpr float tile_slip = 32 * 0x1p-24F;
+/// Of V + r: a coordinate that is larger has its sign for certain, with an edge's length, at most 2V, and
+/// without.
+inline constexpr float tile_doubt = 8 * 0x1p-24F;
 
 /// A triangle with what does not depend on the point.
-struct TileTriangle {
-  struct Edge {
-    float along[3];      ///< e
-    float length, over;  ///< |e|^2 and its reciprocal
-    float inwards[3];    ///< n x e
-    float doubt;         ///< in a product with that, where |r|_1 = 1
+struct alignas(64) TileTriangle {
+  struct Axis {
+    float way[3], start;  ///< the coordinate of p is way.p - start
   };
-  float a[3], b[3];
-  Edge ab, bc, ca;
-  float normal[3];
-  float extent;  ///< largest |e|_1 of the edges at a
-  std::uint32_t slot;
-  std::array<std::uint64_t, 6> features;  ///< names of its edges and vertices, by place - 1
+  struct Edge {
+    Axis along, inwards;
+    float length;
+  };
+  Edge edges[3];
+  Axis height;
+  float doubt;  ///< infinite for a triangle of no area: its face never counts, no place on it is certain
 };
+static_assert(sizeof(TileTriangle) == 128);
 
 /// A leaf's list as seen from the middle of the points.
 struct TileList {
-  static constexpr std::size_t most = 256;
+  static constexpr std::size_t most = 512;
   std::vector<TileTriangle> triangles;
+  std::vector<std::uint32_t> slots;
+  const TriangleStore* store;
   float reach;
 
   /// False if the list holds BVH nodes or more triangles than that. `middle` and `radius` in edges from the
   /// lattice's origin.
-  bool fill(const TriangleStore& store, const Lattice& lattice,
-            std::span<const Entry> list, const Vec3& middle, double radius);
+  bool fill(const TriangleStore& store, const Lattice& lattice, std::span<const Entry> list,
+            const Vec3& middle, double radius);
 };
 
 /// Places in TileList::triangles.
@@ -99,22 +95,23 @@ struct TileBox {
 /// and the last bracket, the variance of the corners under w, is at most m = (e_1^2 + e_2^2 + e_3^2) / 4 for
 /// edges e. So T is closest nowhere if d(C,T)^2 - d(C,T')^2 > m at all corners. With estimates t and t' it
 /// is so if t > (sqrt(U^2 + s^2 + m) + k reach + f) (1 + 2 k), where U = t' + k (t' + reach) + f is at least
-/// d(C,T'), s = tile_slip (U + reach), k = tile_error and f = scan_floor. The points' true box rounds to this one, corner by corner; its edges are longer by 4u r at
-/// most. T' are the triangles closest to the corners and to the octants' centres.
+/// d(C,T'), s = tile_slip (U + reach), k = tile_error and f = scan_floor. The points' true box rounds to this
+/// one, corner by corner; its edges are longer by 4u r at most. T' are the triangles closest to the corners
+/// and to the octants' centres.
 std::size_t prune(const TileList& list, TileNumbers numbers, const TileBox& box,
                   std::uint16_t* kept) noexcept;
 
-/// What a scan has left, by point. Of several triangles on which the kernel certainly finds the same edge's or
-/// vertex's foot, hence the same bits (race.cpp), one is kept. A place is certain where every edge says by
-/// more than place_doubt on which side of it the projection is, and before, on or behind it; on the border,
-/// those edges that may be closest by estimates have to agree, and the distance must not be about zero.
+/// What a scan has left, by point. Of several triangles on which the kernel certainly finds the same edge's
+/// or vertex's foot, hence the same bits (race.cpp), one is kept. A place is certain where every edge says
+/// beyond doubt on which side of it the projection is, and before, on or behind it; on the border, those
+/// edges that may be closest by estimates have to agree, and the distance must not be about zero.
 struct TileFindings {
   static constexpr std::size_t most = 64;
-  std::array<std::uint16_t, most> survivors;  ///< numbers that may be closest to some point
-  std::size_t count;                          ///< of the above that are set
+  std::array<std::uint16_t, most> survivors;   ///< numbers that may be closest to some point
+  std::size_t count;                           ///< of the above that are set
   alignas(64) float number[TilePoints::most];  ///< of the triangle that is closest
-  alignas(64) float place[TilePoints::most];   ///< of the foot there; or unsure_place, and the number is open:
-  std::uint64_t kept[TilePoints::most];        ///< bit k is set if survivors[k] may be closest
+  alignas(64) float place[TilePoints::most];  ///< of the foot there; or unsure_place, and the number is open:
+  std::uint64_t kept[TilePoints::most];       ///< bit k is set if survivors[k] may be closest
 };
 
 /// False, and nothing of use in `found`, if there are more survivors than that.

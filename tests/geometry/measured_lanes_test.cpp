@@ -78,7 +78,8 @@ TEST(MeasuredLanes, MayMeetOneTriangleAtAPlaceThatIsKnown) {
       if (place == unsure_place) continue;
       PointLanes points;
       for (std::size_t lane = 0; lane < lane_count; ++lane) {
-        const Vec3 q = test::toward(c.p, c.triangle.vertices[lane % 3], test::power_below_one(random, 30) / 2);
+        const Vec3 q =
+            test::toward(c.p, c.triangle.vertices[lane % 3], test::power_below_one(random, 30) / 2);
         points.set(lane, estimate_place(q, c.triangle).place == place ? q : c.p);
       }
       MeasuredLanes measured;

@@ -42,9 +42,8 @@ struct Made {
     }
   }
 
-  DoubleDouble squared(const Vec3& p, const TileTriangle& t) const { return scene.squared(p, t.slot); }
-  Foot foot(const Vec3& p, const TileTriangle& t) const {
-    return measure(p, scene.groups[t.slot / group_size].shapes[t.slot % group_size]);
+  Foot foot(const Vec3& p, std::uint32_t slot) const {
+    return measure(p, scene.groups[slot / group_size].shapes[slot % group_size]);
   }
 };
 
@@ -53,12 +52,14 @@ std::vector<Vec3> points_near(test::Random& random, const Made& made, double rad
   std::vector<Vec3> points;
   while (points.size() < TilePoints::most) {
     const Vec3& m = made.middle;
-    Vec3 p = random.in({{m.x - radius, m.y - radius, m.z - radius}, {m.x + radius, m.y + radius, m.z + radius}});
+    Vec3 p =
+        random.in({{m.x - radius, m.y - radius, m.z - radius}, {m.x + radius, m.y + radius, m.z + radius}});
     if (random.below(3) == 0) {
       const auto& shape = made.scene.groups[random.below(4)].shapes[random.below(group_size)];
       const Vec3 on = test::along(shape.vertices[0], shape.vertices[1], random.between(0, 1));
-      const Vec3 q = test::along(test::along(on, shape.vertices[2], random.below(2) == 0 ? 0 : random.between(0, 1)),
-                                 p, std::ldexp(1.0, -static_cast<int>(random.below(50))));
+      const Vec3 q =
+          test::along(test::along(on, shape.vertices[2], random.below(2) == 0 ? 0 : random.between(0, 1)), p,
+                      std::ldexp(1.0, -static_cast<int>(random.below(50))));
       const double away = std::max({std::fabs(q.x - m.x), std::fabs(q.y - m.y), std::fabs(q.z - m.z)});
       if (away <= radius) p = q;
     }
@@ -77,7 +78,8 @@ struct Tile {
     lattice.origin = origin;
     lattice.edge = edge;
     const Vec3 middle = test::in_edges(made.middle);
-    EXPECT_TRUE(list.fill(made.store, lattice, made.scene.list, middle, std::sqrt(3.0) * radius / edge * (1 + 1e-12)));
+    EXPECT_TRUE(list.fill(made.store, lattice, made.scene.list, middle,
+                          std::sqrt(3.0) * radius / edge * (1 + 1e-12)));
     for (std::size_t n = 0; n < list.triangles.size(); ++n) numbers.push_back(static_cast<std::uint16_t>(n));
     for (const Vec3& p : at) {
       const Vec3 q = test::in_edges(p);
@@ -101,18 +103,18 @@ void on_every_instruction_set(F f) {
 
 std::vector<std::size_t> closest(const Made& made, const Tile& tile, const Vec3& p) {
   DoubleDouble least{HUGE_VAL, 0};
-  for (const TileTriangle& t : tile.list.triangles) least = std::min(least, made.squared(p, t));
+  for (const std::uint32_t slot : tile.list.slots) least = std::min(least, made.scene.squared(p, slot));
   std::vector<std::size_t> winners;
-  for (std::size_t n = 0; n < tile.list.triangles.size(); ++n) {
-    if (made.squared(p, tile.list.triangles[n]) == least) winners.push_back(n);
+  for (std::size_t n = 0; n < tile.list.slots.size(); ++n) {
+    if (made.scene.squared(p, tile.list.slots[n]) == least) winners.push_back(n);
   }
   return winners;
 }
 
 /// Winners by double-double are kept; where one is named with a place, it is the only one, and its foot is
 /// there.
-void check_findings(const Made& made, const Tile& tile, const std::vector<Vec3>& at, const TileFindings& found,
-                    std::size_t& alone) {
+void check_findings(const Made& made, const Tile& tile, const std::vector<Vec3>& at,
+                    const TileFindings& found, std::size_t& alone) {
   for (std::size_t i = 0; i < at.size(); ++i) {
     const std::vector<std::size_t> winners = closest(made, tile, at[i]);
     const auto place = static_cast<TrianglePlace>(found.place[i]);
@@ -120,7 +122,7 @@ void check_findings(const Made& made, const Tile& tile, const std::vector<Vec3>&
       ++alone;
       const auto number = static_cast<std::size_t>(found.number[i]);
       ASSERT_EQ(winners, std::vector<std::size_t>{number});
-      const Foot foot = made.foot(at[i], tile.list.triangles[number]);
+      const Foot foot = made.foot(at[i], tile.list.slots[number]);
       ASSERT_EQ(foot.place, place);
       ASSERT_TRUE(place == 0 || foot.squared.hi > 0);
       continue;
@@ -163,7 +165,8 @@ TEST(TileScan, PrunesOnlyWhatIsClosestNowhereInTheBox) {
       const Tile tile(made, at, radius);
       TileBox box;
       for (int axis = 0; axis < 3; ++axis) {
-        const auto [lo, hi] = std::minmax_element(tile.points.at[axis], tile.points.at[axis] + tile.points.count);
+        const auto [lo, hi] =
+            std::minmax_element(tile.points.at[axis], tile.points.at[axis] + tile.points.count);
         box.lo[axis] = *lo;
         box.hi[axis] = *hi;
       }
