@@ -10,13 +10,14 @@
 #include "field/contests.h"
 #include "field/field_data.h"
 #include "geometry/measured_lanes.h"
+#include "octree/tile_scan.h"
 
 namespace cdfr {
 
 class FeatureRuns {
  public:
   /// Numbers of triangles are below this.
-  static constexpr std::size_t most_numbers = 256;
+  static constexpr std::size_t most_numbers = TileList::most;
 
   /// Points that are too few for a run of their own go to `few`.
   FeatureRuns(const FieldData& field, std::span<double> out, Contests& few) noexcept
