@@ -1,5 +1,5 @@
-/// How long the lists of leaves are: against the source paper's rule, and against a lower bound of what any rule
-/// must keep.
+/// How long the lists of leaves are: against the source paper's rule, and against a lower bound of what any
+/// rule must keep.
 ///   bench_lists [--json FILE] [--models PART_OF_NAME] [options of Google Benchmark]
 #include <benchmark/benchmark.h>
 
@@ -42,8 +42,8 @@ std::size_t winners(const Field& field, const Box& box) {
 }
 
 void count_lists(State& state, const std::string& rule, const Stats& stats) {
-  state.counters[rule + "_leaves"] = static_cast<double>(
-      stats.inside_leaves + stats.surface_leaves + stats.outside_leaves + stats.undecided_leaves);
+  state.counters[rule + "_leaves"] = static_cast<double>(stats.inside_leaves + stats.surface_leaves +
+                                                         stats.outside_leaves + stats.undecided_leaves);
   state.counters[rule + "_mean"] = stats.mean_list;
   state.counters[rule + "_p95"] = stats.p95_list;
   state.counters[rule + "_max"] = static_cast<double>(stats.max_list);
@@ -85,9 +85,9 @@ int run(int count, char** arguments) {
   benchmark::Initialize(&count, arguments);
   if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
   for (const Model& model : public_models(filter)) {
-    benchmark::RegisterBenchmark(("lists/" + model.name).c_str(),
-                                 [model](State& state) { lists(state, model); })
-        ->Iterations(1);
+    benchmark::RegisterBenchmark(("lists/" + model.name).c_str(), [model](State& state) {
+      lists(state, model);
+    })->Iterations(1);
   }
   TableReporter table({"triangles", "corner_leaves", "corner_mean", "corner_p95", "corner_max", "band_leaves",
                        "band_mean", "band_p95", "band_max", "drawn_mean", "winners_mean", "list/winners"});

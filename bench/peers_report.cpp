@@ -19,10 +19,10 @@ struct Line {
   double unit_ns;
 };
 constexpr Line lines[] = {
-    {"random", "random, ns", 1},   {"near", "near, ns", 1},     {"far", "far, ns", 1},
-    {"batch", "batch, ns", 1},     {"grid", "grid, ns", 1},     {"build", "build, ms", 1e6},
-    {"total1", "1 query, ms", 1e6},         {"total1000", "1e3, ms", 1e6},
-    {"total100000", "1e5, ms", 1e6},        {"batch2", "batch x2, ns", 1}, {"grid2", "grid x2, ns", 1}, {"build2", "build x2, ms", 1e6},
+    {"random", "random, ns", 1},    {"near", "near, ns", 1},       {"far", "far, ns", 1},
+    {"batch", "batch, ns", 1},      {"grid", "grid, ns", 1},       {"build", "build, ms", 1e6},
+    {"total1", "1 query, ms", 1e6}, {"total1000", "1e3, ms", 1e6}, {"total100000", "1e5, ms", 1e6},
+    {"batch2", "batch x2, ns", 1},  {"grid2", "grid x2, ns", 1},   {"build2", "build x2, ms", 1e6},
 };
 
 void print_time(const Sheet& sheet, const char* system, const Line& line) {
@@ -83,7 +83,8 @@ void print_medians(const std::vector<Sheet>& sheets) {
               sheets.size(), "");
   for (const SystemKind& peer : peer_kinds()) std::printf("  %28s", peer.name);
   std::printf("\n");
-  for (const char* workload : {"random", "near", "far", "batch", "grid", "build", "total1", "total1000", "total100000"}) {
+  for (const char* workload :
+       {"random", "near", "far", "batch", "grid", "build", "total1", "total1000", "total100000"}) {
     std::printf("%-14s", workload);
     for (const SystemKind& peer : peer_kinds()) print_median_ratio(sheets, peer.name, workload);
     std::printf("\n");

@@ -21,7 +21,8 @@ Setting field_for(double queries, const char* name) {
 }  // namespace
 
 std::vector<Setting> settings(bool quick) {
-  const std::vector<int> thresholds = quick ? std::vector{40, 160, 640} : std::vector{20, 40, 80, 160, 320, 640};
+  const std::vector<int> thresholds =
+      quick ? std::vector{40, 160, 640} : std::vector{20, 40, 80, 160, 320, 640};
   const std::vector<int> levels = quick ? std::vector{3, 5} : std::vector{2, 3, 4, 5, 6, 7};
   std::vector<Setting> list{field_of(bvh_name, BuildOptions{}.max_triangles_per_leaf, 0)};
   list.push_back(field_for(1, "for 1 query"));

@@ -99,7 +99,8 @@ std::vector<Target> targets(const std::vector<Sheet>& sheets) {
        most(over_models(sheets, share_of_memory_allowed))},
   };
   for (const std::size_t queries : total_queries) {
-    list.push_back({"build and " + std::to_string(queries) + " queries, times as long as the best peer", false, 1.5,
+    list.push_back({"build and " + std::to_string(queries) + " queries, times as long as the best peer",
+                    false, 1.5,
                     median(over_models(sheets, [&](const Sheet& s) { return share_of_total(s, queries); }))});
   }
   list.push_back({"build and 1000000 queries, times as long as the best peer", false, 1,

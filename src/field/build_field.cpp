@@ -115,7 +115,8 @@ void derive_scan_groups(FieldData& field) {
   constexpr std::size_t chunk = 1024;
   for_chunks(field.scan_groups.size(), chunk, [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
-      field.scan_groups[i] = scan_group(field.triangles.group(static_cast<std::uint32_t>(i)), lattice.origin, lattice.edge);
+      field.scan_groups[i] =
+          scan_group(field.triangles.group(static_cast<std::uint32_t>(i)), lattice.origin, lattice.edge);
     }
   });
 }

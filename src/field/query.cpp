@@ -188,9 +188,7 @@ Finding find_closest(const FieldData& field, const Vec3& p) noexcept {
 /// coordinate, which is at most |p| + reach: what lies farther by 2^-80 of that has lost.
 Finding find_closest_brute(const FieldData& field, const Vec3& p) noexcept {
   const TriangleStore& triangles = field.triangles;
-  const auto corner = [&](std::uint32_t slot, std::size_t k) {
-    return triangles.shape(slot).vertices[k];
-  };
+  const auto corner = [&](std::uint32_t slot, std::size_t k) { return triangles.shape(slot).vertices[k]; };
   double radius = std::numeric_limits<double>::infinity();
   for (std::uint32_t slot = 0; slot < triangles.size(); ++slot) {
     for (std::size_t k = 0; k < 3; ++k) radius = std::min(radius, distance_between(p, corner(slot, k)));

@@ -3,7 +3,8 @@
 /// With u = 2^-53 the relative errors are below 3u^2 (sum), 7u^2 (product) and 15u^2 (quotient): Joldes,
 /// Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic",
 /// 2017. Products are split by Dekker's method. A fused multiply-add gives the same rest, for it is exact
-/// (double_double_lanes.inc); elsewhere there is none, so the bits are the same on every processor. Nothing here under- or overflows for operands of 2^-400 to 2^400.
+/// (double_double_lanes.inc); elsewhere there is none, so the bits are the same on every processor. Nothing
+/// here under- or overflows for operands of 2^-400 to 2^400.
 #pragma once
 
 #include <array>

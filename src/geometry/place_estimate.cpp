@@ -93,8 +93,8 @@ bool estimate_place_here(const Vec3& p, const TriangleShape& triangle, PlaceEsti
   const Vector span = sum_of_magnitudes(e), size = hn::Add(span, sum_of_magnitudes(r));
   const Vector doubt = hn::Mul(hn::Mul(hn::Set(d, 16 * unit_roundoff), span), size);
   const Vector3 normal = everywhere(n.x, n.y, n.z);
-  const Vector area = dot({cross(e.y, r.z, e.z, r.y), cross(e.z, r.x, e.x, r.z), cross(e.x, r.y, e.y, r.x)},
-                          normal);
+  const Vector area =
+      dot({cross(e.y, r.z, e.z, r.y), cross(e.z, r.x, e.x, r.z), cross(e.x, r.y, e.y, r.x)}, normal);
   const unsigned beside = bits(hn::Gt(area, doubt));
   if (beside == 7) {
     estimate.beside.fill(true);
@@ -106,13 +106,15 @@ bool estimate_place_here(const Vec3& p, const TriangleShape& triangle, PlaceEsti
   const Vector length = dot(e, e), s = dot(r, e), rest = hn::Sub(length, s);
   const Vector within = hn::IfThenElse(hn::Lt(s, length), hn::Div(s, length), hn::Set(d, 1));
   const Vector t = hn::IfThenElse(hn::Gt(s, zero), within, zero);
-  const Vector3 o{hn::Sub(r.x, hn::Mul(t, e.x)), hn::Sub(r.y, hn::Mul(t, e.y)), hn::Sub(r.z, hn::Mul(t, e.z))};
+  const Vector3 o{hn::Sub(r.x, hn::Mul(t, e.x)), hn::Sub(r.y, hn::Mul(t, e.y)),
+                  hn::Sub(r.z, hn::Mul(t, e.z))};
   const Vector squared = dot(o, o);
   const double least = std::sqrt(hn::GetLane(hn::MinOfLanes(d, squared)));
   const double bound = 64 * unit_roundoff * hn::GetLane(hn::MaxOfLanes(d, size));
   const double most = (least + 2 * bound) * (least + 2 * bound);
   const auto may_be_least = hn::Le(squared, hn::Set(d, most));
-  for (unsigned k = 0, near = bits(may_be_least); k < 3; ++k) estimate.may_be_least[k] = (near >> k & 1U) != 0;
+  for (unsigned k = 0, near = bits(may_be_least); k < 3; ++k)
+    estimate.may_be_least[k] = (near >> k & 1U) != 0;
   const hn::RebindToSigned<Tag> i;
   alignas(32) std::int64_t agreeing[4];
   hn::Store(hn::IfThenElseZero(hn::RebindMask(i, may_be_least), place_bits(s, rest, doubt)), i, agreeing);

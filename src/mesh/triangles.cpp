@@ -35,7 +35,8 @@ TriangleStore gather_triangles(MeshView mesh, const Topology& topology,
       store.exact[slot] = {{corners, unit_normal(corners[0], corners[1], corners[2])},
                            mesh.patches.empty() ? 0 : mesh.patches[number],
                            0};
-      store.records[slot] = {topology.triangles[number], topology.edges_of[number], number, Sides::unknown, {}};
+      store.records[slot] = {
+          topology.triangles[number], topology.edges_of[number], number, Sides::unknown, {}};
     }
   });
   return store;

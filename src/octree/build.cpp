@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "core/parallel.h"
@@ -60,8 +61,9 @@ std::vector<Pending> cut_into_blocks(SearchSpace space, const RefineOptions& ref
   return seeds;
 }
 
-/// Lists of so many triangles are taken apart to groups: those that splits will bring down to a leaf's length.
-/// Much longer ones cost less as nodes of the BVH, in the build and in a query, which descends into few.
+/// Lists of so many triangles are taken apart to groups: those that splits will bring down to a leaf's
+/// length. Much longer ones cost less as nodes of the BVH, in the build and in a query, which descends into
+/// few.
 std::uint64_t opened_below(int max_triangles_per_leaf) noexcept {
   return std::clamp<std::uint64_t>(16 * static_cast<std::uint64_t>(max_triangles_per_leaf), 1024, 4096);
 }
@@ -70,7 +72,9 @@ std::uint64_t opened_below(int max_triangles_per_leaf) noexcept {
 std::uint64_t most_leaves(const BuildOptions& options, std::uint64_t triangles, std::uint64_t listed,
                           std::uint64_t listed_in_all) noexcept {
   if (options.gain >= 1) return ~std::uint64_t{0} / 2;
-  const double all = static_cast<double>(leaves_in_all + leaves_a_triangle * triangles);
+  const double length = options.max_triangles_per_leaf;
+  const double all =
+      leaves_in_all + leaves_a_triangle * static_cast<double>(triangles) / (length * std::sqrt(length));
   return 8 +
          static_cast<std::uint64_t>(all * static_cast<double>(listed) / static_cast<double>(listed_in_all));
 }

@@ -15,10 +15,11 @@ namespace cdfr {
 inline constexpr std::uint64_t block_triangles = 1U << 16;
 inline constexpr int block_deepest = 6;
 
-/// What the leaves may add up to, unless the gain test is off (BuildOptions::gain). Parts need 2 to 8 a
-/// triangle.
-inline constexpr std::uint64_t leaves_in_all = 1U << 16;
-inline constexpr std::uint64_t leaves_a_triangle = 32;
+/// What the leaves may add up to, unless the gain test is off (BuildOptions::gain). With lists of m
+/// triangles parts have 1000 to 2000 m^-1.5 leaves a triangle (list_length.cpp). Where many walls are equally
+/// far there would be several times as many, at twice the memory, and queries would take as long.
+inline constexpr double leaves_in_all = 1U << 11;
+inline constexpr double leaves_a_triangle = 1700;  ///< times m^-1.5
 
 /// Leaves come out as `surface` where the surface may touch the closed cell, else as `undecided`: the field
 /// sets sides. Runs in the caller's task arena; blocks in parallel. If cancelled, what comes back is

@@ -11,10 +11,10 @@
 ///
 /// **Rounding.** `below` is rounded up, after `slope` was rounded. It also covers
 ///  - single precision where the bound is evaluated, u = 2^-24: |x|^2 <= 3/4 s^2 is off by 6u of itself (its
-///  coordinates by u each), slope.x, at most 3/2 s in size after the division by 127, by 6u, the factor by 3u,
-///  and four sums by u of at most D^2 + 3 s (D + 2s) + 3 s^2 each. In all below 16u (D + 3s)^2;
-///  - points outside the leaf by Lattice::grown, below 2^-48 s (leaf_index.h moves them): f and the bound have
-///  gradients below 4 (D + 2s), so by less than 2^-45 (D + 3s)^2.
+///  coordinates by u each), slope.x, at most 3/2 s in size after the division by 127, by 6u, the factor by
+///  3u, and four sums by u of at most D^2 + 3 s (D + 2s) + 3 s^2 each. In all below 16u (D + 3s)^2;
+///  - points outside the leaf by Lattice::grown, below 2^-48 s (leaf_index.h moves them): f and the bound
+///  have gradients below 4 (D + 2s), so by less than 2^-45 (D + 3s)^2.
 #pragma once
 
 #include <array>

@@ -60,9 +60,9 @@ class CornerDominance {
 
 /// What is left of a group in one child.
 struct KeptLanes {
-  std::uint8_t lanes;    ///< bit i: triangle i may win
-  std::uint8_t count;    ///< of set bits
-  double least_squared;  ///< from the child's centre, over these lanes
+  std::uint8_t lanes;                     ///< bit i: triangle i may win
+  std::uint8_t count;                     ///< of set bits
+  double least_squared;                   ///< from the child's centre, over these lanes
   std::array<double, 8> corners_squared;  ///< the same from its corners
 };
 

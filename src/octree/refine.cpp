@@ -143,8 +143,8 @@ class Refinement {
     } else {
       for (std::size_t child = 0; child < 8; ++child) {
         if ((children >> child & 1U) == 0) continue;
-        keep(child, candidate.node,
-             {0xff, 0, squared[centre_sample(child)], from_corners(squared, child)}, triangles_below(node));
+        keep(child, candidate.node, {0xff, 0, squared[centre_sample(child)], from_corners(squared, child)},
+             triangles_below(node));
       }
     }
   }
@@ -209,7 +209,8 @@ class Refinement {
   static std::array<double, 8> from_corners(const std::array<double, sample_count>& squared,
                                             std::size_t child) noexcept {
     std::array<double, 8> corners;
-    for (std::size_t corner = 0; corner < 8; ++corner) corners[corner] = squared[corner_sample(child, corner)];
+    for (std::size_t corner = 0; corner < 8; ++corner)
+      corners[corner] = squared[corner_sample(child, corner)];
     return corners;
   }
 

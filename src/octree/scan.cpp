@@ -153,13 +153,13 @@ class Scan {
     set_reject();
     const Tag d;
     const hn::RebindToUnsigned<Tag> u;
-    const std::uint32_t slots[2] = {first.number() * std::uint32_t{group_size},
-                                    (second != nullptr ? *second : first).number() * std::uint32_t{group_size}};
+    const std::uint32_t slots[2] = {
+        first.number() * std::uint32_t{group_size},
+        (second != nullptr ? *second : first).number() * std::uint32_t{group_size}};
     for (std::size_t lane = 0; lane < pair_size; lane += lane_count) {
       const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> lane),
                                     static_cast<std::uint8_t>(lanes >> lane >> 8)};
-      const Vector squared =
-          hn::IfThenElse(hn::LoadMaskBits(d, bits), estimated(pair, lane), hn::Inf(d));
+      const Vector squared = hn::IfThenElse(hn::LoadMaskBits(d, bits), estimated(pair, lane), hn::Inf(d));
       least_ = hn::Min(least_, squared);
       HWY_ALIGN std::uint32_t numbers[lane_count];
       for (std::size_t i = 0; i < lane_count; ++i) {
@@ -236,7 +236,8 @@ void bound_entries(std::span<const Entry> part, const Located& leaf, float* squa
   const Vector x = at(leaf.offset.x), y = at(leaf.offset.y), z = at(leaf.offset.z);
   const Vector away = hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x)));
   const Vector unit_below = at(leaf.size * leaf.size * EntryBound::unit_below);
-  const Vector twice_size = at(2 * leaf.size), step = at(EntryBound::step), from_centre = at(leaf.from_centre);
+  const Vector twice_size = at(2 * leaf.size), step = at(EntryBound::step),
+               from_centre = at(leaf.from_centre);
   for (std::size_t first = 0; first < part.size(); first += lane_count) {
     const std::size_t left = part.size() - first;
     HWY_ALIGN std::uint32_t copied[3 * lane_count];
@@ -245,10 +246,12 @@ void bound_entries(std::span<const Entry> part, const Located& leaf, float* squa
     hn::Vec<decltype(u)> place, packed, bound;
     hn::LoadInterleaved3(u, static_cast<const std::uint32_t*>(words), place, packed, bound);
     const Vector distance = hn::BitCast(d, hn::AndNot(hn::Set(u, 0xff), packed));
-    const auto top_byte = [&](auto bytes) { return hn::ConvertTo(d, hn::ShiftRight<24>(hn::BitCast(i, bytes))); };
-    const Vector slope = hn::MulAdd(top_byte(hn::ShiftLeft<8>(bound)), z,
-                                    hn::MulAdd(top_byte(hn::ShiftLeft<16>(bound)), y,
-                                               hn::Mul(top_byte(hn::ShiftLeft<24>(bound)), x)));
+    const auto top_byte = [&](auto bytes) {
+      return hn::ConvertTo(d, hn::ShiftRight<24>(hn::BitCast(i, bytes)));
+    };
+    const Vector slope = hn::MulAdd(
+        top_byte(hn::ShiftLeft<8>(bound)), z,
+        hn::MulAdd(top_byte(hn::ShiftLeft<16>(bound)), y, hn::Mul(top_byte(hn::ShiftLeft<24>(bound)), x)));
     const Vector rise = hn::Mul(hn::Mul(hn::Add(distance, twice_size), step), slope);
     const auto below = hn::BitCast(i, hn::ShiftRight<24>(bound));
     const Vector lowered = hn::NegMulAdd(hn::ConvertTo(d, below), unit_below, hn::Add(away, rise));

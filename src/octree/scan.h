@@ -63,8 +63,8 @@ struct Candidates {
 void scan(const ScanSpace& space, const Vec3& p, const Vec3& at, const Located& leaf,
           const Shortlist& shortlist, Candidates& candidates) noexcept;
 
-/// The same for all of the mesh, for a point that may lie outside the brick: p rounds by 2^-53 of its distance
-/// more, which is within the bound's share of that.
+/// The same for all of the mesh, for a point that may lie outside the brick: p rounds by 2^-53 of its
+/// distance more, which is within the bound's share of that.
 void scan(const ScanSpace& space, const Vec3& p, Candidates& candidates) noexcept;
 
 }  // namespace cdfr

@@ -58,8 +58,8 @@ TEST(EntryBound, IsNowhereAboveTheDistanceInTheLeaf) {
     if (entry.bound().below == EntryBound::none) continue;
     ++bounded;
     for (int k = 0; k < 10; ++k) {
-      const Vec3 p = k < 8 ? scene.corner(static_cast<std::size_t>(k))
-                           : random.in({scene.corner(0), scene.corner(7)});
+      const Vec3 p =
+          k < 8 ? scene.corner(static_cast<std::size_t>(k)) : random.in({scene.corner(0), scene.corner(7)});
       ASSERT_LE(stated(scene, entry, p), least_squared(scene, entry, p));
     }
   }
@@ -79,8 +79,8 @@ TEST(EntryBound, IsTightForAPoint) {
     single.add(scene.groups[0], 1);
     one = single.list[0];
     const Vec3 p = random.in({scene.corner(0), scene.corner(7)});
-    const double lost = size * (double{one.distance()} + 2 * size) * EntryBound::step * 1.5 + size * size / 64 +
-                        double{one.distance()} * one.distance() * 0x1p-14;
+    const double lost = size * (double{one.distance()} + 2 * size) * EntryBound::step * 1.5 +
+                        size * size / 64 + double{one.distance()} * one.distance() * 0x1p-14;
     ASSERT_GE(stated(single, one, p), least_squared(single, one, p) - lost);
   }
 }

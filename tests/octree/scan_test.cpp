@@ -153,7 +153,8 @@ Scene leaf_scene(test::Random& random, std::size_t count, double size) {
   for (std::size_t i = 0; i < count; ++i) {
     const double extent = 2 * edge * std::ldexp(1.0, -static_cast<int>(random.below(12)));
     const Vec3 middle = test::along(scene.centre, anywhere(random, extent), random.between(0, 1));
-    scene.add(test::shaped_group(random, test::all_shapes[random.below(6)], middle, extent), some_lanes(random));
+    scene.add(test::shaped_group(random, test::all_shapes[random.below(6)], middle, extent),
+              some_lanes(random));
   }
   return scene;
 }
@@ -269,7 +270,8 @@ TEST(Scan, GoesOnBelowNodes) {
       const BvhNode& in_its_place = scene.bvh.nodes[node];
       double least = HUGE_VAL;
       std::erase_if(scene.list, [&](const Entry& entry) {
-        const bool below = entry.number() >= in_its_place.first_group && entry.number() < in_its_place.end_group;
+        const bool below =
+            entry.number() >= in_its_place.first_group && entry.number() < in_its_place.end_group;
         if (below) least = std::min<double>(least, entry.distance());
         return below;
       });

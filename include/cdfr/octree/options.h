@@ -25,9 +25,9 @@ struct BuildOptions {
   std::uint64_t expected_queries = 0;
   /// Deepest level of a leaf, 0 to 18; level 0 cells are the cubes of the brick.
   int max_level = 5;
-  /// A split is kept if the children's mean list is at most this share of the parent's, and there are about
-  /// 65,536 leaves and 32 a triangle at most, so that no choice of the above exhausts memory; 1 keeps every
-  /// split.
+  /// A split is kept if the children's mean list is at most this share of the parent's, and leaves are few
+  /// enough: about 2048, and 0.3 a triangle with lists of 320, as many more with shorter ones as those are
+  /// shorter to the power of 1.5. 1 keeps every split.
   double gain = 0.75;
   Sign sign = Sign::automatic;
   Lists lists = Lists::corner;
