@@ -91,7 +91,7 @@ class Refinement {
       slot = search.accept().slot;
     }
     if (slot == no_index) return parent_.dominators[best];
-    return estimate_closest(p, space_.triangles.group(slot / group_size), slot % group_size);
+    return estimate_closest(p, space_.triangles.group(slot / std::uint32_t{group_size}), slot % group_size);
   }
 
   void find_dominators() {
