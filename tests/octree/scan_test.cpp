@@ -167,7 +167,7 @@ Vec3 in_leaf(test::Random& random, const Scene& scene) {
 TEST(Scan, FindsTheClosestByBoundsThatHoldInTheLeaf) {
   on_every_instruction_set([] {
     test::Random random(6);
-    for (int i = 0; i < 1500; ++i) {
+    for (int i = 0; i < 400; ++i) {
       const double size = std::ldexp(1.0, -static_cast<int>(random.below(6)));
       const Scene scene = leaf_scene(random, 1 + random.below(150), size);
       for (int k = 0; k < 4; ++k) {
