@@ -2,7 +2,6 @@
 ///   bench_engine [--json FILE] [options of Google Benchmark]
 #include <benchmark/benchmark.h>
 
-#include <cstdio>
 #include <memory>
 #include <span>
 #include <string>
@@ -147,13 +146,7 @@ int run(int count, char** arguments) {
   TableReporter table({"triangles", "leaves", "entries_leaf", "list_mean", "list_p95", "list_max",
                        "bytes_triangle", "build_s", "build_us_triangle", "distance_ns", "closest_ns",
                        "near_distance_ns", "near_closest_ns", "batch_ns", "points", "contour_ns_point"});
-  benchmark::RunSpecifiedBenchmarks(&table);
-  table.print();
-  if (!json.empty() && !table.write_json(json)) {
-    std::fprintf(stderr, "bench: cannot write %s\n", json.c_str());
-    return 1;
-  }
-  return table.failed() ? 1 : 0;
+  return table.run_and_report(json);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <set>
 #include <string>
 
@@ -91,13 +90,7 @@ int run(int count, char** arguments) {
   }
   TableReporter table({"triangles", "corner_leaves", "corner_mean", "corner_p95", "corner_max", "band_leaves",
                        "band_mean", "band_p95", "band_max", "drawn_mean", "winners_mean", "list/winners"});
-  benchmark::RunSpecifiedBenchmarks(&table);
-  table.print();
-  if (!json.empty() && !table.write_json(json)) {
-    std::fprintf(stderr, "bench: cannot write %s\n", json.c_str());
-    return 1;
-  }
-  return table.failed() ? 1 : 0;
+  return table.run_and_report(json);
 }
 
 }  // namespace

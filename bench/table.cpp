@@ -63,4 +63,14 @@ bool TableReporter::write_json(const std::string& path) const {
   return static_cast<bool>(out.flush());
 }
 
+int TableReporter::run_and_report(const std::string& json) {
+  benchmark::RunSpecifiedBenchmarks(this);
+  print();
+  if (!json.empty() && !write_json(json)) {
+    std::fprintf(stderr, "bench: cannot write %s\n", json.c_str());
+    return 1;
+  }
+  return failed_ ? 1 : 0;
+}
+
 }  // namespace cdfr::bench

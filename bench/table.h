@@ -23,6 +23,8 @@ class TableReporter : public benchmark::BenchmarkReporter {
   /// False if the file cannot be written.
   bool write_json(const std::string& path) const;
   bool failed() const noexcept { return failed_; }
+  /// Runs what is registered, prints the table, and writes the JSON too if a path is given. Exit status.
+  int run_and_report(const std::string& json);
 
  private:
   struct Row {

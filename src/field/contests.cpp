@@ -36,10 +36,7 @@ void Contests::settle() noexcept {
 /// and its rivals, if there may be any.
 double Contests::distance_of(const Contest& contest) const noexcept {
   const std::uint32_t lane = closest_lane(contest);
-  const double distance = measured_.distance[lane];
-  const bool is_zero = measured_.squared[lane] == 0;
-  if (field_.sign == Sign::none || is_zero || contest.side == Side::outside) return distance;
-  if (contest.side == Side::inside) return -distance;
+  if (const auto told = signed_by_leaf(field_, contest.side, measured_.distance[lane])) return *told;
   const Vec3 p = pairs_.p(lane);
   if (!is_alone(contest, lane)) return race(p, contest.side, {slots_.data() + contest.first, contest.count});
   Finding finding;

@@ -38,7 +38,7 @@ void FeatureRuns::settle() noexcept {
 
 void FeatureRuns::run(Members members) noexcept {
   const Waiting& first = waiting_[members[0]];
-  const TriangleShape shape = field_.triangles.shape(first.slot);
+  const TriangleShape& shape = field_.triangles.shape(first.slot);
   // A triangle of no area has rules of its own (Race).
   if (members.size() < fewest_in_run || rounded(shape.normal) == Vec3{}) {
     for (const std::uint16_t i : members)
@@ -56,9 +56,7 @@ void FeatureRuns::run(Members members) noexcept {
 
 double FeatureRuns::distance_of(std::size_t lane, const Vec3& p, std::uint32_t slot,
                                 const TriangleShape& shape) const noexcept {
-  const double distance = measured_.distance[lane];
-  if (field_.sign == Sign::none || measured_.squared[lane] == 0 || side_ == Side::outside) return distance;
-  if (side_ == Side::inside) return -distance;
+  if (const auto told = signed_by_leaf(field_, side_, measured_.distance[lane])) return *told;
   Finding finding;
   finding.leaf = side_;
   finding.winner = {measured_.foot(shape, lane), slot, field_.triangles.records[slot].number};

@@ -203,6 +203,12 @@ Finding find_closest_brute(const FieldData& field, const Vec3& p) noexcept {
   return race.finding();
 }
 
+std::optional<double> signed_by_leaf(const FieldData& field, Side side, double distance) noexcept {
+  if (field.sign == Sign::none || distance == 0 || side == Side::outside) return distance;
+  if (side == Side::inside) return -distance;
+  return std::nullopt;
+}
+
 double signed_distance(const FieldData& field, const Query& query, const Finding& finding) noexcept {
   int side = 1;
   return signed_by(field, query, finding, side);

@@ -1,6 +1,8 @@
 /// The triangle closest to a point, and all that belongs to it.
 #pragma once
 
+#include <optional>
+
 #include "cdfr/field/field.h"
 #include "field/field_data.h"
 #include "field/race.h"
@@ -34,6 +36,8 @@ Finding find_closest_brute(const FieldData& field, const Vec3& p) noexcept;
 
 enum class Finder { tree, brute };
 
+/// What a leaf of that side tells of the sign: the signed distance, or nothing.
+std::optional<double> signed_by_leaf(const FieldData& field, Side side, double distance) noexcept;
 double signed_distance(const FieldData& field, const Query& query, const Finding& finding) noexcept;
 double signed_distance(const FieldData& field, const Vec3& x) noexcept;
 double unsigned_distance(const FieldData& field, const Vec3& x) noexcept;

@@ -48,17 +48,10 @@ HWY_INLINE void sift(const DominanceThresholds& thresholds, const SampleDistance
   kept.lanes = static_cast<std::uint8_t>(kept.lanes | bits[0] << first);
 }
 
-/// Lanes come to it.
-HWY_INLINE KeptLanes nothing_kept() {
-  KeptLanes kept{0, 0, HUGE_VAL, {}};
-  kept.corners_squared.fill(HUGE_VAL);
-  return kept;
-}
-
 void sift_lanes_here(const std::array<CornerDominance, 8>& rules, const SampleDistances& distances,
                      std::uint8_t lanes, unsigned children, std::array<KeptLanes, 8>& kept) {
   for (std::size_t child = 0; child < 8; ++child) {
-    kept[child] = nothing_kept();
+    kept[child] = {};
     if ((children >> child & 1U) == 0) continue;
     for (std::size_t first = 0; first < group_size; first += hn::Lanes(Tag())) {
       sift(rules[child].thresholds(), distances, child, first, lanes, kept[child]);

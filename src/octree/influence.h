@@ -28,6 +28,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "cdfr/core/types.h"
@@ -58,12 +59,15 @@ class CornerDominance {
   DominanceThresholds thresholds_{};
 };
 
-/// What is left of a group in one child.
+/// What is left of a group in one child: at first nothing.
 struct KeptLanes {
-  std::uint8_t lanes;                     ///< bit i: triangle i may win
-  std::uint8_t count;                     ///< of set bits
-  double least_squared;                   ///< from the child's centre, over these lanes
-  std::array<double, 8> corners_squared;  ///< the same from its corners
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+  std::uint8_t lanes = 0;           ///< bit i: triangle i may win
+  std::uint8_t count = 0;           ///< of set bits
+  double least_squared = infinite;  ///< from the child's centre, over these lanes
+  /// The same from its corners.
+  std::array<double, 8> corners_squared{infinite, infinite, infinite, infinite,
+                                        infinite, infinite, infinite, infinite};
 };
 
 /// Tests the given lanes of a group against the rules of the given children (bits too), all triangles at

@@ -180,8 +180,7 @@ class Refinement {
   }
 
   KeptLanes in_band(std::size_t child, const SampleDistances& distances, std::uint8_t lanes) const {
-    KeptLanes kept{0, 0, HUGE_VAL, {}};
-    kept.corners_squared.fill(HUGE_VAL);
+    KeptLanes kept;
     const GroupDistances& centre = distances.squared[centre_sample(child)];
     for (std::size_t lane = 0; lane < group_size; ++lane) {
       if ((lanes >> lane & 1U) == 0 || centre[lane] > bands_[child]) continue;

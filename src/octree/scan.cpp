@@ -145,17 +145,17 @@ class Scan {
 
   /// One group or two. False if there is no room.
   bool take(const Entry& first, const Entry* second) {
+    const Entry& other = second != nullptr ? *second : first;
     Pair pair;
     place(pair, 0, first);
-    place(pair, 1, second != nullptr ? *second : first);
+    place(pair, 1, other);
     const unsigned lanes = first.lanes() | (second != nullptr ? unsigned{second->lanes()} << group_size : 0U);
     reach_ = std::max({reach_, pair.groups[0]->reach(), pair.groups[1]->reach()});
     set_reject();
     const Tag d;
     const hn::RebindToUnsigned<Tag> u;
-    const std::uint32_t slots[2] = {
-        first.number() * std::uint32_t{group_size},
-        (second != nullptr ? *second : first).number() * std::uint32_t{group_size}};
+    const std::uint32_t slots[2] = {first.number() * std::uint32_t{group_size},
+                                    other.number() * std::uint32_t{group_size}};
     for (std::size_t lane = 0; lane < pair_size; lane += lane_count) {
       const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> lane),
                                     static_cast<std::uint8_t>(lanes >> lane >> 8)};

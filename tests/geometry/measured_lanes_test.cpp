@@ -1,12 +1,12 @@
 #include "geometry/measured_lanes.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <array>
 #include <bit>
 
 #include "geometry/kernel_cases.h"
+#include "support/instruction_sets.h"
 
 namespace cdfr {
 namespace {
@@ -27,19 +27,8 @@ void expect_as_one_by_one(const PairLanes& pairs) {
   }
 }
 
-/// The same on every instruction set of this processor.
-template <class Check>
-void on_every_set(Check check) {
-  for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-    hwy::SetSupportedTargetsForTest(targets & -targets);
-    SCOPED_TRACE(hwy::TargetName(targets & -targets));
-    check();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-}
-
 TEST(MeasuredLanes, HaveTheBitsOfTheKernel) {
-  on_every_set([] {
+  test::on_every_instruction_set([] {
     test::Random random(41);
     for (int i = 0; i < 4000; ++i) {
       PairLanes pairs;
@@ -53,7 +42,7 @@ TEST(MeasuredLanes, HaveTheBitsOfTheKernel) {
 }
 
 TEST(MeasuredLanes, MayAllLieOnFacesOrAllBesideThem) {
-  on_every_set([] {
+  test::on_every_instruction_set([] {
     test::Random random(42);
     for (const bool faces : {true, false}) {
       PairLanes pairs;
@@ -69,7 +58,7 @@ TEST(MeasuredLanes, MayAllLieOnFacesOrAllBesideThem) {
 
 /// Points of one triangle whose feet are at one place, wherever that is.
 TEST(MeasuredLanes, MayMeetOneTriangleAtAPlaceThatIsKnown) {
-  on_every_set([] {
+  test::on_every_instruction_set([] {
     test::Random random(43);
     std::array<int, 7> met{};
     for (int i = 0; i < 6000; ++i) {

@@ -91,8 +91,7 @@ TEST(CornerDominance, LanesAgreeWithSingles) {
     std::array<KeptLanes, 8> kept;
     sift_lanes(rules, distances, lanes, 0xff, kept);
     for (std::size_t child = 0; child < 8; ++child) {
-      KeptLanes expected{0, 0, HUGE_VAL, {}};
-      expected.corners_squared.fill(HUGE_VAL);
+      KeptLanes expected;
       for (std::size_t lane = 0; lane < group_size; ++lane) {
         std::array<double, 8> squared;
         for (std::size_t c = 0; c < 8; ++c) squared[c] = distances.squared[corner_sample(child, c)][lane];

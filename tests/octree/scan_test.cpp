@@ -1,7 +1,6 @@
 #include "octree/scan.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "octree/scan_scene.h"
+#include "support/instruction_sets.h"
 #include "support/meshes.h"
 
 namespace cdfr {
@@ -16,6 +16,7 @@ namespace {
 
 using test::anywhere;
 using test::edge;
+using test::on_every_instruction_set;
 using test::origin;
 using test::Scene;
 using test::ShapedGroup;
@@ -49,17 +50,6 @@ Vec3 query_at(test::Random& random, const TriangleShape& triangle) {
 
 Vec3 query_at(test::Random& random, const Scene& scene) {
   return query_at(random, scene.groups[random.below(scene.groups.size())].shapes[random.below(group_size)]);
-}
-
-template <class F>
-void on_every_instruction_set(F f) {
-  for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-    SCOPED_TRACE(hwy::TargetName(targets & -targets));
-    hwy::SetSupportedTargetsForTest(targets & -targets);
-    f();
-    if (testing::Test::HasFatalFailure()) break;
-  }
-  hwy::SetSupportedTargetsForTest(0);
 }
 
 /// How far from the point a candidate may be: an estimate is off by half of k d + s D + f, so the upper bound

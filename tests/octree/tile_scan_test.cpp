@@ -1,7 +1,6 @@
 #include "octree/tile_scan.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <bit>
@@ -10,12 +9,14 @@
 #include <vector>
 
 #include "octree/scan_scene.h"
+#include "support/instruction_sets.h"
 
 namespace cdfr {
 namespace {
 
 using test::anywhere;
 using test::edge;
+using test::on_every_instruction_set;
 using test::origin;
 using test::Scene;
 
@@ -89,17 +90,6 @@ struct Tile {
     }
   }
 };
-
-template <class F>
-void on_every_instruction_set(F f) {
-  for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-    SCOPED_TRACE(hwy::TargetName(targets & -targets));
-    hwy::SetSupportedTargetsForTest(targets & -targets);
-    f();
-    if (testing::Test::HasFatalFailure()) break;
-  }
-  hwy::SetSupportedTargetsForTest(0);
-}
 
 std::vector<std::size_t> closest(const Made& made, const Tile& tile, const Vec3& p) {
   DoubleDouble least{HUGE_VAL, 0};
