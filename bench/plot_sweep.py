@@ -14,7 +14,7 @@ matplotlib.rcParams["svg.fonttype"] = "none"  # text stays text
 matplotlib.rcParams["font.size"] = 8
 import matplotlib.pyplot as plt
 
-DEFAULT = (160, 5)
+DEFAULT = (320, 5)
 
 
 def main(source: str, target: str) -> None:

@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -21,11 +22,11 @@ namespace {
 
 using benchmark::State;
 
-/// The course of the model that is being measured, and the one system built over it.
+/// The course of the model that is being measured, and what each setting built over it.
 struct Current {
   std::string path;
   std::unique_ptr<Course> course;
-  std::unique_ptr<System> system;
+  std::map<std::string, std::unique_ptr<System>> systems;  ///< by the setting's name
 };
 
 Current& current() {
@@ -35,7 +36,7 @@ Current& current() {
 
 const Course* course_of(const Model& model, const Effort& effort) {
   if (current().path != model.path) {
-    current() = {model.path, nullptr, nullptr};
+    current() = {model.path, nullptr, {}};
     Result<Course> made = make_course(model, effort);
     if (made) current().course = std::make_unique<Course>(std::move(*made));
   }
@@ -43,11 +44,10 @@ const Course* course_of(const Model& model, const Effort& effort) {
 }
 
 void build(State& state, const Setting& setting, const Course& course) {
-  current().system.reset();
   for (auto _ : state) {
     auto built = setting.build(course.mesh);
     if (built) {
-      current().system = std::move(*built);
+      current().systems[setting.name] = std::move(*built);
     } else {
       state.SkipWithError(built.error().text.c_str());
     }
@@ -55,16 +55,18 @@ void build(State& state, const Setting& setting, const Course& course) {
   state.counters["items"] = 1;
 }
 
-void facts(State& state, const Course& course) {
-  for (auto _ : state) state.counters["bytes"] = static_cast<double>(current().system->bytes());
+void facts(State& state, const Setting& setting, const Course& course) {
+  const System& system = *current().systems.at(setting.name);
+  for (auto _ : state) state.counters["bytes"] = static_cast<double>(system.bytes());
   state.counters["triangles"] = static_cast<double>(course.mesh.triangles.size());
 }
 
-void singles(State& state, const std::vector<Vec3>& points) {
+void singles(State& state, const Setting& setting, const std::vector<Vec3>& points) {
+  const System& system = *current().systems.at(setting.name);
   std::vector<double> out(points.size());
   const std::span<const Vec3> some(points.data(), points.size() / 10);
-  current().system->singles(some, out);
-  for (auto _ : state) current().system->singles(points, out);
+  system.singles(some, out);
+  for (auto _ : state) system.singles(points, out);
   state.counters["items"] = static_cast<double>(points.size());
 }
 
@@ -74,7 +76,7 @@ void add(const std::string& what, const Setting& setting, const Model& model, co
   const auto run = [setting, model, effort, measure](State& state) {
     const Course* course = course_of(model, effort);
     if (course == nullptr) return state.SkipWithError("the model cannot be read");
-    measure(state, *course);
+    measure(state, setting, *course);
   };
   benchmark::RegisterBenchmark((what + "/" + setting.name + "/" + model.name).c_str(), run)
       ->Iterations(1)
@@ -82,14 +84,19 @@ void add(const std::string& what, const Setting& setting, const Model& model, co
       ->UseRealTime();
 }
 
-/// Built once; the queries follow at once, for as many rounds as the median needs.
-void add_setting(const Setting& setting, const Model& model, const Effort& effort) {
-  add("build", setting, model, effort,
-      [setting](State& state, const Course& c) { build(state, setting, c); });
-  add("facts", setting, model, effort, facts);
+/// Everything is built first; then the settings take turns, so that a slow minute of the machine meets them all.
+void add_model(const Model& model, const std::vector<Setting>& settings, const Effort& effort) {
+  for (const Setting& setting : settings) {
+    add("build", setting, model, effort, build);
+    add("facts", setting, model, effort, facts);
+  }
+  const auto random = [](State& state, const Setting& s, const Course& c) { singles(state, s, c.random); };
+  const auto near = [](State& state, const Setting& s, const Course& c) { singles(state, s, c.near); };
   for (int round = 0; round < effort.rounds; ++round) {
-    add("random", setting, model, effort, [](State& state, const Course& c) { singles(state, c.random); });
-    add("near", setting, model, effort, [](State& state, const Course& c) { singles(state, c.near); });
+    for (const Setting& setting : settings) {
+      add("random", setting, model, effort, random);
+      add("near", setting, model, effort, near);
+    }
   }
 }
 
@@ -102,9 +109,7 @@ int run(int count, char** arguments) {
   if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
   const std::vector<Setting> all = settings(quick);
   const std::vector<Model> models = public_models(filter);
-  for (const Model& model : models) {
-    for (const Setting& setting : all) add_setting(setting, model, effort);
-  }
+  for (const Model& model : models) add_model(model, all, effort);
   RoundsReporter reporter;
   if (models.empty() || benchmark::RunSpecifiedBenchmarks(&reporter) == 0) {
     std::fprintf(stderr, "bench: no such model\n");

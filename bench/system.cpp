@@ -26,6 +26,9 @@ std::vector<SystemKind> peer_kinds() {
 #ifdef CDFR_BENCH_CGAL
       {"cgal", build_cgal},
 #endif
+#ifdef CDFR_BENCH_FCPW
+      {"fcpw", build_fcpw},
+#endif
   };
 }
 

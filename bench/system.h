@@ -37,6 +37,7 @@ Result<std::unique_ptr<System>> build_cdfr(const Mesh& mesh, const BuildOptions&
 Result<std::unique_ptr<System>> build_cdfr(const Mesh& mesh, unsigned threads);
 Result<std::unique_ptr<System>> build_embree(const Mesh& mesh, unsigned threads);
 Result<std::unique_ptr<System>> build_cgal(const Mesh& mesh, unsigned threads);
+Result<std::unique_ptr<System>> build_fcpw(const Mesh& mesh, unsigned threads);
 
 /// The peers that were found when this was built.
 std::vector<SystemKind> peer_kinds();

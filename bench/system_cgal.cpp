@@ -3,11 +3,11 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
-#include <malloc.h>
 
 #include <cmath>
 #include <vector>
 
+#include "malloc_bytes.h"
 #include "system.h"
 
 namespace cdfr::bench {
@@ -18,16 +18,10 @@ using Triangles = std::vector<Kernel::Triangle_3>;
 using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
-/// What this program holds from malloc, mapped blocks included.
-std::size_t bytes_held() {
-  const struct mallinfo2 info = mallinfo2();
-  return info.uordblks + info.hblkhd;
-}
-
 class CgalSystem final : public System {
  public:
   explicit CgalSystem(const Mesh& mesh) {
-    const std::size_t before = bytes_held();
+    const std::size_t before = malloc_bytes();
     const auto corner = [&](std::uint32_t v) {
       const Vec3& p = mesh.vertices[v];
       return Kernel::Point_3(p.x, p.y, p.z);
@@ -38,7 +32,7 @@ class CgalSystem final : public System {
     tree_.insert(triangles_.begin(), triangles_.end());
     tree_.build();
     tree_.accelerate_distance_queries();
-    bytes_ = bytes_held() - before;
+    bytes_ = malloc_bytes() - before;
   }
 
   std::size_t bytes() const override { return bytes_; }
