@@ -48,11 +48,12 @@ double pull(const Vec3& a, const Vec3& b, const Vec3& centre, double radius, int
 
 Boundary find_boundary(SearchSpace space, std::size_t edge_count) {
   std::vector<std::int32_t> balance = balances(space.triangles, edge_count);
-  Boundary boundary;
+  std::vector<BoundaryEdge> edges;
+  std::vector<std::uint32_t> first;
   const std::size_t groups = space.triangles.group_count();
   std::vector<double> group_length(groups);
   for (std::uint32_t slot = 0; slot < space.triangles.size(); ++slot) {
-    if (slot % group_size == 0) boundary.first.push_back(static_cast<std::uint32_t>(boundary.edges.size()));
+    if (slot % group_size == 0) first.push_back(static_cast<std::uint32_t>(edges.size()));
     const TriangleShape shape = space.triangles.shape(slot);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t edge = space.triangles.records[slot].edges[k];
@@ -61,22 +62,21 @@ Boundary find_boundary(SearchSpace space, std::size_t edge_count) {
       const bool along = (ids[k] < ids[(k + 1) % 3]) == (balance[edge] > 0);
       const Vec3 &a = shape.vertices[k], &b = shape.vertices[(k + 1) % 3];
       const BoundaryEdge found{along ? a : b, along ? b : a, static_cast<double>(std::abs(balance[edge]))};
-      boundary.edges.push_back(found);
+      edges.push_back(found);
       group_length[slot / group_size] += found.times * distance_between(found.from, found.to) * up;
       balance[edge] = 0;
     }
   }
-  boundary.first.push_back(static_cast<std::uint32_t>(boundary.edges.size()));
-  boundary.lengths.resize(space.bvh.nodes.size());
-  for (std::size_t i = boundary.lengths.size(); i-- > 0;) {
+  first.push_back(static_cast<std::uint32_t>(edges.size()));
+  std::vector<double> lengths(space.bvh.nodes.size());
+  for (std::size_t i = lengths.size(); i-- > 0;) {
     const BvhNode& node = space.bvh.nodes[i];
     const auto index = static_cast<std::uint32_t>(i);
-    boundary.lengths[i] =
-        node.is_group()
-            ? group_length[node.first_group]
-            : (boundary.lengths[space.bvh.left(index)] + boundary.lengths[space.bvh.right(index)]) * up;
+    lengths[i] = node.is_group()
+                     ? group_length[node.first_group]
+                     : (lengths[space.bvh.left(index)] + lengths[space.bvh.right(index)]) * up;
   }
-  return boundary;
+  return {std::move(edges), std::move(first), std::move(lengths)};
 }
 
 double winding_drift(const Boundary& boundary, SearchSpace space, const Vec3& centre,

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "cdfr/core/types.h"
+#include "core/array.h"
 #include "mesh/bvh.h"
 
 namespace cdfr {
@@ -25,9 +26,9 @@ struct BoundaryEdge {
 };
 
 struct Boundary {
-  std::vector<BoundaryEdge> edges;   ///< each once, in the order of slots
-  std::vector<std::uint32_t> first;  ///< by group: its first edge; one more at the end
-  std::vector<double> lengths;       ///< by BVH node, rounded up
+  Array<BoundaryEdge> edges;   ///< each once, in the order of slots
+  Array<std::uint32_t> first;  ///< by group: its first edge; one more at the end
+  Array<double> lengths;       ///< by BVH node, rounded up
 };
 
 /// Edge ids of the records are below edge_count. O(n).

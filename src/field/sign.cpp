@@ -77,14 +77,14 @@ Pseudonormals pseudonormals(const TriangleStore& store, std::size_t edge_count, 
   const auto is_plain = [](const std::vector<std::uint8_t>& plain, std::size_t i) {
     return plain.empty() || plain[i] != 0;
   };
-  Pseudonormals result;
-  result.edges.reserve(edges.size());
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    result.edges.push_back(is_plain(plain_edges, i) ? edge_normal(edges[i]) : Vec3{});
-  result.vertices.reserve(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    result.vertices.push_back(is_plain(plain_vertices, i) ? vertex_normal(vertices[i]) : Vec3{});
-  return result;
+  std::vector<Vec3> edge_normals(edges.size()), vertex_normals(vertices.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (is_plain(plain_edges, i)) edge_normals[i] = edge_normal(edges[i]);
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (is_plain(plain_vertices, i)) vertex_normals[i] = vertex_normal(vertices[i]);
+  }
+  return {std::move(edge_normals), std::move(vertex_normals)};
 }
 
 int side_of_normal(const Foot& foot, const Vec3& normal, double reach) noexcept {

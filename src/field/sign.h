@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "cdfr/core/types.h"
+#include "core/array.h"
 #include "geometry/point_triangle.h"
 #include "mesh/triangles.h"
 
@@ -21,8 +22,8 @@ namespace cdfr {
 
 /// By edge id and by welded vertex id. A zero vector says: undecided here, count crossings.
 struct Pseudonormals {
-  std::vector<Vec3> edges;     ///< sum of the unit normals, within 2u of its size and 2^-97
-  std::vector<Vec3> vertices;  ///< angle-weighted mean of the unit normals, components within 2^-42
+  Array<Vec3> edges;     ///< sum of the unit normals, within 2u of its size and 2^-97
+  Array<Vec3> vertices;  ///< angle-weighted mean of the unit normals, components within 2^-42
 
   /// Precondition: the place is an edge or a vertex.
   const Vec3& at(TrianglePlace place, const TriangleRecord& record) const noexcept {

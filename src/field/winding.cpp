@@ -113,20 +113,17 @@ Bounded angle_of(const WindingMoments& m, const Eigen::Vector3d& r, double d) no
 }  // namespace
 
 WindingTree build_winding_tree(SearchSpace space, std::size_t edge_count) {
-  WindingTree tree;
-  tree.boundary = find_boundary(space, edge_count);
-  tree.nodes.resize(space.bvh.nodes.size());
-  for (std::size_t i = tree.nodes.size(); i-- > 0;) {  // children come after their parents
+  std::vector<WindingMoments> nodes(space.bvh.nodes.size());
+  for (std::size_t i = nodes.size(); i-- > 0;) {  // children come after their parents
     const BvhNode& node = space.bvh.nodes[i];
     const auto index = static_cast<std::uint32_t>(i);
     if (node.is_group()) {
-      tree.nodes[i] = of_group(space, node);
+      nodes[i] = of_group(space, node);
     } else {
-      tree.nodes[i] =
-          joined(node.box, std::array{tree.nodes[space.bvh.left(index)], tree.nodes[space.bvh.right(index)]});
+      nodes[i] = joined(node.box, std::array{nodes[space.bvh.left(index)], nodes[space.bvh.right(index)]});
     }
   }
-  return tree;
+  return {std::move(nodes), find_boundary(space, edge_count)};
 }
 
 Bounded winding_number(const WindingTree& tree, SearchSpace space, const Vec3& p, double opening) noexcept {

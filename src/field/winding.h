@@ -21,6 +21,7 @@
 
 #include "cdfr/core/types.h"
 #include "cdfr/octree/leaf.h"
+#include "core/array.h"
 #include "field/boundary.h"
 #include "geometry/solid_angle.h"
 #include "mesh/bvh.h"
@@ -40,7 +41,7 @@ struct WindingMoments {
 
 /// Empty for a mesh that needs none.
 struct WindingTree {
-  std::vector<WindingMoments> nodes;  ///< one a BVH node
+  Array<WindingMoments> nodes;  ///< one a BVH node
   Boundary boundary;
 
   bool empty() const noexcept { return nodes.empty(); }

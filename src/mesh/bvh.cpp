@@ -236,9 +236,10 @@ std::vector<Item> items_of(MeshView mesh) {
 
 BvhAndOrder build_bvh(MeshView mesh) {
   std::vector<Item> items = items_of(mesh);
+  std::vector<BvhNode> nodes(2 * whole_groups(items.size()) - 1);
+  Builder(mesh, items, nodes).build(0, items.size(), 0, 0);
   BvhAndOrder result;
-  result.bvh.nodes.resize(2 * whole_groups(items.size()) - 1);
-  Builder(mesh, items, result.bvh.nodes).build(0, items.size(), 0, 0);
+  result.bvh.nodes = std::move(nodes);
   result.order.reserve(items.size());
   for (const Item& item : items) result.order.push_back(item.number);
   return result;

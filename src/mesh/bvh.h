@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cdfr/core/types.h"
+#include "core/array.h"
 #include "mesh/topology.h"
 #include "mesh/triangles.h"
 
@@ -26,7 +27,7 @@ struct BvhNode {
 inline constexpr int bvh_depth_limit = 72;
 
 struct Bvh {
-  std::vector<BvhNode> nodes;
+  Array<BvhNode> nodes;
 
   std::uint32_t left(std::uint32_t node) const noexcept { return node + 1; }
   std::uint32_t right(std::uint32_t node) const noexcept { return node + 2 * nodes[node + 1].groups(); }

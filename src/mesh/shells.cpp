@@ -83,14 +83,14 @@ void find_shells(Examined& mesh, const std::vector<std::uint32_t>& first_twins,
   std::vector<int> winding(roots.size());
   for_chunks(roots.size(), 1,
              [&](std::size_t i, std::size_t) { winding[i] = winding_in_front(roots[i], mesh.space()); });
+  const std::span<TriangleRecord> records = mesh.triangles.records.edit();
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    mesh.triangles.records[roots[i]].sides = sides_of(winding[i]);
+    records[roots[i]].sides = sides_of(winding[i]);
     mesh.report.turned_shells += winding[i] != 0;
   }
   for (std::uint32_t number = 0; number < clean.size(); ++number) {
     if (clean[number] == 0) continue;
-    mesh.triangles.records[slot_of[number]].sides =
-        mesh.triangles.records[slot_of[shells.root(number)]].sides;
+    records[slot_of[number]].sides = records[slot_of[shells.root(number)]].sides;
   }
 }
 

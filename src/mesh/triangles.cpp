@@ -1,6 +1,7 @@
 #include "mesh/triangles.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/parallel.h"
 #include "geometry/unit_normal.h"
@@ -23,23 +24,21 @@ TriangleGroup TriangleStore::group(std::uint32_t number) const noexcept {
 
 TriangleStore gather_triangles(MeshView mesh, const Topology& topology,
                                const std::vector<std::uint32_t>& order) {
-  TriangleStore store;
-  store.exact.resize(order.size());
-  store.records.resize(order.size());
+  std::vector<ExactTriangle> exact(order.size());
+  std::vector<TriangleRecord> records(order.size());
   constexpr std::size_t chunk = 1024;
   for_chunks(order.size(), chunk, [&](std::size_t first, std::size_t end) {
     for (std::size_t slot = first; slot < end; ++slot) {
       const std::uint32_t number = order[slot];
       const Triangle& t = mesh.triangles[number];
       const std::array<Vec3, 3> corners{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
-      store.exact[slot] = {{corners, unit_normal(corners[0], corners[1], corners[2])},
+      exact[slot] = {{corners, unit_normal(corners[0], corners[1], corners[2])},
                            mesh.patches.empty() ? 0 : mesh.patches[number],
                            0};
-      store.records[slot] = {
-          topology.triangles[number], topology.edges_of[number], number, Sides::unknown, {}};
+      records[slot] = {topology.triangles[number], topology.edges_of[number], number, Sides::unknown, {}};
     }
   });
-  return store;
+  return {std::move(exact), std::move(records)};
 }
 
 }  // namespace cdfr

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cdfr/core/types.h"
+#include "core/array.h"
 #include "geometry/point_triangle.h"
 #include "geometry/triangle_group.h"
 #include "mesh/topology.h"
@@ -35,8 +36,8 @@ static_assert(sizeof(TriangleRecord) == 32);
 
 /// A slot is a place in BVH order. Eight slots make a group: lane slot % 8 of group slot / 8.
 struct TriangleStore {
-  std::vector<ExactTriangle> exact;     ///< by slot
-  std::vector<TriangleRecord> records;  ///< by slot
+  Array<ExactTriangle> exact;     ///< by slot
+  Array<TriangleRecord> records;  ///< by slot
 
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(records.size()); }
   std::size_t group_count() const noexcept { return (records.size() + group_size - 1) / group_size; }
