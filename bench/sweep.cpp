@@ -84,7 +84,8 @@ void add(const std::string& what, const Setting& setting, const Model& model, co
       ->UseRealTime();
 }
 
-/// Everything is built first; then the settings take turns, so that a slow minute of the machine meets them all.
+/// Everything is built first; then the settings take turns, so that a slow minute of the machine meets them
+/// all.
 void add_model(const Model& model, const std::vector<Setting>& settings, const Effort& effort) {
   for (const Setting& setting : settings) {
     add("build", setting, model, effort, build);

@@ -89,6 +89,7 @@ class Extraction {
     if (!progress_.cancelled()) flush();
     if (progress_.cancelled()) return Progress::error();
     if (!written_) return written_.error();
+    if (field_.failed()) return field_.status().error();
     report_.visited = counts.visited;
     report_.evaluations += counts.evaluations;
     return report_;

@@ -1,4 +1,5 @@
-/// A run of values that does not grow, wherever it lies: in a vector that it has taken over, or in a mapped file.
+/// A run of values that does not grow, wherever it lies: in a vector that it has taken over, or in a mapped
+/// file.
 #pragma once
 
 #include <cassert>
@@ -22,8 +23,7 @@ class Array {
   Array() = default;
   /// Takes over any kind of vector.
   template <class Vector>
-    requires std::is_same_v<typename Vector::value_type, T>
-  Array(Vector values) {
+  requires std::is_same_v<typename Vector::value_type, T> Array(Vector values) {
     auto kept = std::make_shared<Vector>(std::move(values));
     data_ = kept->data();
     size_ = kept->size();
@@ -43,8 +43,18 @@ class Array {
     assert(i < size_);
     return data_[i];
   }
+  operator std::span<const T>() const noexcept { return {data_, size_}; }
   const T& front() const noexcept { return (*this)[0]; }
   const T& back() const noexcept { return (*this)[size_ - 1]; }
+
+  /// Shares the values. Precondition: they are there.
+  Array part(std::size_t first, std::size_t count) const noexcept {
+    assert(first <= size_ && count <= size_ - first);
+    Array shared = *this;
+    shared.data_ += first;
+    shared.size_ = count;
+    return shared;
+  }
 
   /// To change values while a field is made. Precondition: taken over from a vector.
   std::span<T> edit() noexcept {

@@ -32,8 +32,8 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
-/// Allocates from a Scratch, or from the heap if it has none. It goes along when a vector is moved or swapped;
-/// a copy of a vector lies where its origin does. The scratch must outlive the vectors.
+/// Allocates from a Scratch, or from the heap if it has none. It goes along when a vector is moved or
+/// swapped; a copy of a vector lies where its origin does. The scratch must outlive the vectors.
 template <class T>
 class LargeAllocator {
  public:

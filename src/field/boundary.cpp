@@ -72,9 +72,8 @@ Boundary find_boundary(SearchSpace space, std::size_t edge_count) {
   for (std::size_t i = lengths.size(); i-- > 0;) {
     const BvhNode& node = space.bvh.nodes[i];
     const auto index = static_cast<std::uint32_t>(i);
-    lengths[i] = node.is_group()
-                     ? group_length[node.first_group]
-                     : (lengths[space.bvh.left(index)] + lengths[space.bvh.right(index)]) * up;
+    lengths[i] = node.is_group() ? group_length[node.first_group]
+                                 : (lengths[space.bvh.left(index)] + lengths[space.bvh.right(index)]) * up;
   }
   return {std::move(edges), std::move(first), std::move(lengths)};
 }

@@ -13,10 +13,11 @@ Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options, Prog
 
 Result<FieldData> build_field(MeshView mesh, const BuildOptions& options, const Run& run);
 
-/// What follows from the rest and is not stored: far_side and winding; first_leaf and index; scan_groups. So
-/// does leaf_windings (leaf_winding.h), from all of these and the leaves' sides.
-void derive_sides(FieldData& field);
-void index_leaves(FieldData& field);
-void derive_scan_groups(FieldData& field);
+/// far_side, from the report.
+void derive_far_side(FieldData& field) noexcept;
+/// first_leaf, from the blocks.
+void count_leaves(FieldData& field);
+/// The lattice, and the groups that depend on it. Runs in the caller's task arena.
+void lay_lattice(FieldData& field);
 
 }  // namespace cdfr

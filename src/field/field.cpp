@@ -33,7 +33,16 @@ Result<void> answer_all(const FieldData& field, Points x, std::span<Answer> out,
     });
   });
   if (progress.cancelled()) return Progress::error();
-  return {};
+  return field.status();
+}
+
+Closest nowhere() noexcept {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Closest result;
+  result.distance = nan;
+  result.point = result.gradient = {nan, nan, nan};
+  result.barycentric = {nan, nan, nan};
+  return result;
 }
 
 }  // namespace
@@ -44,9 +53,17 @@ Result<Field> Field::build(MeshView mesh, const BuildOptions& options, const Run
   return Field(std::make_shared<const FieldData>(std::move(data).value()));
 }
 
-double Field::distance(Vec3 x) const noexcept { return signed_distance(*data_, x); }
+double Field::distance(Vec3 x) const noexcept {
+  const double distance = signed_distance(*data_, x);
+  return data_->failed() ? std::numeric_limits<double>::quiet_NaN() : distance;
+}
 
-Closest Field::closest(Vec3 x) const noexcept { return closest_point(*data_, x, Finder::tree); }
+Closest Field::closest(Vec3 x) const noexcept {
+  const Closest closest = closest_point(*data_, x, Finder::tree);
+  return data_->failed() ? nowhere() : closest;
+}
+
+Result<void> Field::status() const { return data_->status(); }
 
 Result<void> Field::distance(Points x, std::span<double> out, const Run& run) const {
   return answer_all(*data_, x, out, run);
@@ -54,7 +71,8 @@ Result<void> Field::distance(Points x, std::span<double> out, const Run& run) co
 
 Result<void> Field::distance(const Grid& grid, std::span<double> out, const Run& run) const {
   assert(out.size() == grid.count());
-  return grid_distances(*data_, grid, out, run);
+  if (Result<void> done = grid_distances(*data_, grid, out, run); !done) return done;
+  return status();
 }
 
 Result<void> Field::closest(Points x, std::span<Closest> out, const Run& run) const {

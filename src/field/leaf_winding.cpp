@@ -6,7 +6,6 @@
 #include <span>
 #include <utility>
 
-#include "core/parallel.h"
 #include "field/boundary.h"
 #include "field/field_data.h"
 #include "field/leaves.h"
@@ -53,7 +52,7 @@ Reference reference_of(const Lattice& lattice, const Cell& cell) noexcept {
 /// What a block's leaves come to know.
 class BlockWindings {
  public:
-  BlockWindings(const FieldData& field, std::size_t block) : field_(field), block_(field.tree.blocks[block]) {
+  explicit BlockWindings(const FieldData& field) : field_(field), block_(field.tree.blocks[0]) {
     for_each_leaf(block_, [&](const Cell& cell, std::uint32_t leaf) {
       const Side side = block_.leaves[leaf].side();
       const bool is_needed = side == Side::surface || side == Side::undecided;
@@ -67,7 +66,7 @@ class BlockWindings {
     });
   }
 
-  LeafWindings take() { return std::move(all_); }
+  LeafWindingLists take() { return std::move(all_); }
 
  private:
   std::int32_t winding_at(const Vec3& p) const noexcept {
@@ -94,29 +93,8 @@ class BlockWindings {
 
   const FieldData& field_;
   const Block& block_;
-  LeafWindings all_;
+  LeafWindingLists all_;
 };
-
-LeafWindings joined(const std::vector<LeafWindings>& parts) {
-  LeafWindings all;
-  for (const LeafWindings& part : parts) {
-    const auto known = static_cast<std::uint32_t>(all.known.size());
-    const auto near = static_cast<std::uint32_t>(all.near.size());
-    all.whole.insert(all.whole.end(), part.whole.begin(), part.whole.end());
-    for (const std::uint32_t place : part.place)
-      all.place.push_back(place == no_index ? place : known + place);
-    for (const LeafWindings::Known& k : part.known) {
-      all.known.push_back(k);
-      all.known.back().first += near;
-    }
-    all.near.insert(all.near.end(), part.near.begin(), part.near.end());
-  }
-  all.known.push_back({0, {}, 0, static_cast<std::uint32_t>(all.near.size())});
-  for (auto* words : {&all.place, &all.near}) words->shrink_to_fit();
-  all.whole.shrink_to_fit();
-  all.known.shrink_to_fit();
-  return all;
-}
 
 /// Triangles of the list that may meet the segment. False if one of them leaves it open. No point of the
 /// segment is farther from the leaf's centre than `farthest` edges.
@@ -207,17 +185,24 @@ int side_with_boundary(const FieldData& field, const Place& place, const Vec3& p
 }  // namespace
 
 std::uint64_t LeafWindings::bytes() const noexcept {
-  return whole.capacity() * sizeof(std::int32_t) + known.capacity() * sizeof(Known) +
-         (place.capacity() + near.capacity()) * sizeof(std::uint32_t);
+  return whole.bytes() + known.bytes() + place.bytes() + near.bytes();
 }
 
-LeafWindings leaf_windings(const FieldData& field, Progress& progress) {
+LeafWindingLists block_windings(const FieldData& field) {
   if (field.sign != Sign::winding) return {};
-  std::vector<LeafWindings> parts(field.tree.blocks.size());
-  for_chunks(parts.size(), 1, [&](std::size_t block, std::size_t) {
-    if (progress.poll()) parts[block] = BlockWindings(field, block).take();
-  });
-  return joined(parts);
+  return BlockWindings(field).take();
+}
+
+void move_behind(LeafWindingLists& part, std::uint64_t known, std::uint64_t near) noexcept {
+  for (std::uint32_t& place : part.place) {
+    if (place != no_index) place += static_cast<std::uint32_t>(known);
+  }
+  for (LeafWindings::Known& k : part.known) k.first += static_cast<std::uint32_t>(near);
+}
+
+LeafWindings leaf_windings(LeafWindingLists all) {
+  if (!all.place.empty()) all.known.push_back({0, {}, 0, static_cast<std::uint32_t>(all.near.size())});
+  return {std::move(all.whole), std::move(all.place), std::move(all.known), std::move(all.near)};
 }
 
 int side_by_leaf(const FieldData& field, const Vec3& p) noexcept {

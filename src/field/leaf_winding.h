@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cdfr/core/types.h"
-#include "core/progress.h"
+#include "core/array.h"
 
 namespace cdfr {
 
@@ -40,9 +40,21 @@ struct LeafWindings {
   std::uint64_t bytes() const noexcept;
 };
 
-/// Precondition: sides and index are set. A query, a count of crossings or an evaluation of w a leaf. Runs in
-/// the caller's task arena and polls the progress; of no use if that is cancelled.
-LeafWindings leaf_windings(const FieldData& field, Progress& progress);
+/// The same while blocks are built, one after another, and without the end of `known`.
+struct LeafWindingLists {
+  std::vector<std::int32_t> whole;
+  std::vector<std::uint32_t> place;
+  std::vector<LeafWindings::Known> known;
+  std::vector<std::uint32_t> near;
+};
+
+/// Of the leaves of one block. Precondition: the field's octree is that block alone; sides and index are set.
+/// A query, a count of crossings or an evaluation of w a leaf.
+LeafWindingLists block_windings(const FieldData& field);
+/// For a place behind so many known leaves and near edges.
+void move_behind(LeafWindingLists& part, std::uint64_t known, std::uint64_t near) noexcept;
+/// Of all blocks, one after another.
+LeafWindings leaf_windings(LeafWindingLists all);
 
 /// 1 outside, -1 inside, 0 if p's leaf does not tell.
 int side_by_leaf(const FieldData& field, const Vec3& p) noexcept;

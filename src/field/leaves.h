@@ -16,7 +16,8 @@ void for_each_leaf(const Block& block, Visit visit) {
     std::uint32_t node;
   };
   std::vector<Pending> stack{{cell_of(block.key), 0}};
-  while (!stack.empty()) {
+  std::size_t left = block.nodes.size();  // of a forged file's nodes some might be met again and again
+  while (!stack.empty() && left-- > 0) {
     const Pending at = stack.back();
     stack.pop_back();
     const TreeNode node = block.nodes[at.node];

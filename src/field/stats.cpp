@@ -12,24 +12,16 @@
 namespace cdfr {
 namespace {
 
-template <class T>
-std::uint64_t bytes_of(const std::vector<T>& v) noexcept {
-  return v.capacity() * sizeof(T);
-}
-
 std::uint64_t total_bytes(const FieldData& field) noexcept {
-  std::uint64_t bytes = sizeof field + bytes_of(field.triangles.exact) + bytes_of(field.triangles.records) +
-                        bytes_of(field.bvh.nodes) + bytes_of(field.pseudonormals.edges) +
-                        bytes_of(field.pseudonormals.vertices) + bytes_of(field.winding.nodes) +
-                        bytes_of(field.winding.boundary.edges) + bytes_of(field.winding.boundary.first) +
-                        bytes_of(field.winding.boundary.lengths) + bytes_of(field.tree.top) +
-                        bytes_of(field.tree.blocks) + bytes_of(field.tree.levels) +
-                        bytes_of(field.first_leaf) + field.index.bytes() + field.leaf_windings.bytes() +
-                        bytes_of(field.scan_groups);
-  for (const Block& block : field.tree.blocks) {
-    bytes += bytes_of(block.nodes) + bytes_of(block.leaves) + bytes_of(block.entries);
-  }
-  return bytes;
+  const Octree& tree = field.tree;
+  const WindingTree& winding = field.winding;
+  return sizeof field + field.triangles.exact.bytes() + field.triangles.records.bytes() +
+         field.bvh.nodes.bytes() + field.pseudonormals.edges.bytes() + field.pseudonormals.vertices.bytes() +
+         winding.nodes.bytes() + winding.boundary.edges.bytes() + winding.boundary.first.bytes() +
+         winding.boundary.lengths.bytes() + tree.top.bytes() + tree.nodes.bytes() + tree.leaves.bytes() +
+         tree.entries.bytes() + tree.blocks.size() * sizeof(Block) + tree.levels.size() * sizeof(LevelStats) +
+         field.first_leaf.size() * sizeof(std::uint64_t) + field.index.bytes() + field.leaf_windings.bytes() +
+         field.scan_groups.bytes();
 }
 
 /// Length of a list in triangles.
@@ -78,7 +70,8 @@ Stats stats_of(const FieldData& field) {
     for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
       const LeafRecord& leaf = block.leaves[number];
       lengths.push_back(length_of(field, block, leaf));
-      by_level[static_cast<std::size_t>(cell.level)] += lengths.back();
+      const auto level = static_cast<std::size_t>(cell.level);
+      if (level < by_level.size()) by_level[level] += lengths.back();  // deeper in forged files alone
       stats.inside_leaves += leaf.side() == Side::inside;
       stats.surface_leaves += leaf.side() == Side::surface;
       stats.outside_leaves += leaf.side() == Side::outside;

@@ -14,14 +14,17 @@
 namespace cdfr {
 
 /// Nodes are in preorder: the left child of node i is i + 1, the right one i + 2 * groups(i + 1).
-struct BvhNode {
+/// One cache line.
+struct alignas(64) BvhNode {
   Box box;  ///< exact: of the vertices
   std::uint32_t first_group = 0;
   std::uint32_t end_group = 0;
+  std::uint64_t zero = 0;  ///< to 64 bytes, written to files
 
   std::uint32_t groups() const noexcept { return end_group - first_group; }
   bool is_group() const noexcept { return groups() == 1; }
 };
+static_assert(sizeof(BvhNode) == 64);
 
 /// No path from the root is longer.
 inline constexpr int bvh_depth_limit = 72;

@@ -33,8 +33,8 @@ TriangleStore gather_triangles(MeshView mesh, const Topology& topology,
       const Triangle& t = mesh.triangles[number];
       const std::array<Vec3, 3> corners{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
       exact[slot] = {{corners, unit_normal(corners[0], corners[1], corners[2])},
-                           mesh.patches.empty() ? 0 : mesh.patches[number],
-                           0};
+                     mesh.patches.empty() ? 0 : mesh.patches[number],
+                     0};
       records[slot] = {topology.triangles[number], topology.edges_of[number], number, Sides::unknown, {}};
     }
   });

@@ -75,9 +75,9 @@ std::vector<Entry> BlockBuilder::listed(const std::vector<Candidate>& candidates
 
 /// Numbers leaves along the Morton curve and puts their lists one after another.
 Block BlockBuilder::laid_out(std::uint64_t key) {
-  Block block;
-  block.key = key;
-  block.leaves.reserve(lists_.size());
+  std::vector<LeafRecord> leaves;
+  std::vector<Entry> entries;
+  leaves.reserve(lists_.size());
   std::vector<std::uint32_t> stack{0};
   while (!stack.empty()) {
     TreeNode& node = nodes_[stack.back()];
@@ -89,16 +89,13 @@ Block BlockBuilder::laid_out(std::uint64_t key) {
     const std::uint32_t closed = node.leaf_number();
     const std::vector<Entry>& list = lists_[closed];
     LeafRecord leaf;
-    leaf.first = static_cast<std::uint32_t>(block.entries.size());
+    leaf.first = static_cast<std::uint32_t>(entries.size());
     leaf.set(static_cast<std::uint32_t>(list.size()), crossed_[closed] ? Side::surface : Side::undecided);
-    node = TreeNode::leaf(static_cast<std::uint32_t>(block.leaves.size()));
-    block.leaves.push_back(leaf);
-    block.entries.insert(block.entries.end(), list.begin(), list.end());
+    node = TreeNode::leaf(static_cast<std::uint32_t>(leaves.size()));
+    leaves.push_back(leaf);
+    entries.insert(entries.end(), list.begin(), list.end());
   }
-  block.nodes = std::move(nodes_);
-  block.nodes.shrink_to_fit();
-  block.entries.shrink_to_fit();
-  return block;
+  return {key, std::move(nodes_), std::move(leaves), std::move(entries)};
 }
 
 Block BlockBuilder::build(OpenCell root, std::uint64_t inherited) {

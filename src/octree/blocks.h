@@ -3,9 +3,11 @@
 
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "cdfr/octree/leaf.h"
+#include "core/array.h"
 #include "octree/entry_bound.h"
 #include "octree/key.h"
 #include "octree/lattice.h"
@@ -92,9 +94,15 @@ class TreeNode {
 /// leaves are in Morton order.
 struct Block {
   std::uint64_t key = 0;  ///< of the root cell
-  std::vector<TreeNode> nodes;
-  std::vector<LeafRecord> leaves;
-  std::vector<Entry> entries;
+  Array<TreeNode> nodes;
+  Array<LeafRecord> leaves;
+  Array<Entry> entries;
+};
+
+/// What a block takes of the octree's arrays.
+struct BlockSize {
+  std::uint64_t key = 0;
+  std::uint64_t nodes = 0, leaves = 0, entries = 0;
 };
 
 /// Blocks in Morton order, and the tree above them. The cut into blocks is a function of mesh and options
@@ -102,11 +110,23 @@ struct Block {
 struct Octree {
   Lattice lattice;
   /// From the virtual cube down; a leaf's number is a block, or no_block where the brick has no cell.
-  std::vector<TreeNode> top;
-  std::vector<Block> blocks;
+  Array<TreeNode> top;
+  /// Of all blocks, one after another.
+  Array<TreeNode> nodes;
+  Array<LeafRecord> leaves;
+  Array<Entry> entries;
+  std::vector<Block> blocks;  ///< their parts of the three above
   std::vector<LevelStats> levels;
 
   static constexpr std::uint32_t no_block = 0x7fffffffU;
 };
+
+/// Gives each block its part of the octree's arrays. False if they are not as long as the sizes say.
+bool divide(Octree& tree, std::span<const BlockSize> sizes);
+std::vector<BlockSize> sizes_of(const Octree& tree);
+/// Moves the arrays of blocks that were built on their own one after another; theirs are given up on the way.
+void join(Octree& tree, std::vector<Block> blocks);
+/// An octree of one block, the others missing.
+Octree alone(const Lattice& lattice, const Block& block);
 
 }  // namespace cdfr

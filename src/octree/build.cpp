@@ -1,10 +1,9 @@
 #include "octree/build.h"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/parallel.h"
@@ -19,48 +18,6 @@ std::uint64_t morton_place(const Cell& cell) noexcept {
   return key_of(cell) << (3 * (deepest_level - cell.level));
 }
 
-using Scratches = tbb::enumerable_thread_specific<RefineScratch>;
-
-struct Pending {
-  OpenCell open;
-  std::uint32_t node = 0;       ///< in Octree::top
-  std::uint64_t inherited = 0;  ///< triangles of the parent's list
-};
-
-/// Refines from the virtual cube down until lists are short enough for one block each.
-std::vector<Pending> cut_into_blocks(SearchSpace space, const RefineOptions& refining, Scratches& scratches,
-                                     Octree& tree, Progress& progress) {
-  std::vector<Pending> seeds;
-  std::vector<Pending> frontier;
-  frontier.push_back({root_cell(space), 0, 0});
-  tree.top.resize(1);
-  while (!frontier.empty() && !progress.cancelled()) {
-    std::vector<std::array<OpenCell, 8>> refined(frontier.size());
-    for_chunks(frontier.size(), 1, [&](std::size_t i, std::size_t) {
-      if (!progress.poll()) return;
-      refined[i] = refine(space, tree.lattice, frontier[i].open, refining, scratches.local());
-    });
-    std::vector<Pending> next;
-    for (std::size_t i = 0; i < frontier.size(); ++i) {
-      const auto first = static_cast<std::uint32_t>(tree.top.size());
-      tree.top[frontier[i].node] = TreeNode::inner(first);
-      tree.top.resize(first + 8, TreeNode::leaf(Octree::no_block));
-      for (std::uint32_t child = 0; child < 8; ++child) {
-        OpenCell& cell = refined[i][child];
-        if (!tree.lattice.meets_brick(cell.cell)) continue;
-        const bool rooted =
-            cell.cell.level >= 0 && (cell.triangles <= block_triangles || cell.cell.level == block_deepest);
-        (rooted ? seeds : next).push_back({std::move(cell), first + child, frontier[i].open.triangles});
-      }
-    }
-    frontier = std::move(next);
-  }
-  std::sort(seeds.begin(), seeds.end(), [](const Pending& a, const Pending& b) {
-    return morton_place(a.open.cell) < morton_place(b.open.cell);
-  });
-  return seeds;
-}
-
 /// Lists of so many triangles are taken apart to groups: those that splits will bring down to a leaf's
 /// length. Much longer ones cost less as nodes of the BVH, in the build and in a query, which descends into
 /// few.
@@ -68,18 +25,86 @@ std::uint64_t opened_below(int max_triangles_per_leaf) noexcept {
   return std::clamp<std::uint64_t>(16 * static_cast<std::uint64_t>(max_triangles_per_leaf), 1024, 4096);
 }
 
-/// A block's share of the octree's leaves goes by its list. With the gain test off all splits are wanted.
-std::uint64_t most_leaves(const BuildOptions& options, std::uint64_t triangles, std::uint64_t listed,
-                          std::uint64_t listed_in_all) noexcept {
-  if (options.gain >= 1) return ~std::uint64_t{0} / 2;
-  const double length = options.max_triangles_per_leaf;
-  const double all =
-      leaves_in_all + leaves_a_triangle * static_cast<double>(triangles) / (length * std::sqrt(length));
-  return 8 +
-         static_cast<std::uint64_t>(all * static_cast<double>(listed) / static_cast<double>(listed_in_all));
+}  // namespace
+
+struct BlockCut::Pending {
+  Seed seed;
+  std::uint32_t node = 0;  ///< of the top tree
+};
+
+BlockCut::BlockCut(SearchSpace space, const Lattice& lattice, const BuildOptions& options, Progress& progress)
+    : space_(space),
+      lattice_(lattice),
+      options_(options),
+      refining_{options.lists, opened_below(options.max_triangles_per_leaf)},
+      progress_(progress) {
+  cut();
+  for (const Seed& seed : seeds_) listed_ += seed.open.triangles;
 }
 
-void add(std::vector<LevelStats>& sum, const std::vector<LevelStats>& part) {
+void BlockCut::cut() {
+  std::vector<TreeNode> top(1);
+  std::vector<Pending> roots;
+  std::vector<Pending> frontier;
+  frontier.push_back({{root_cell(space_), 0}, 0});
+  while (!frontier.empty() && !progress_.cancelled()) {
+    std::vector<std::array<OpenCell, 8>> refined(frontier.size());
+    for_chunks(frontier.size(), 1, [&](std::size_t i, std::size_t) {
+      if (!progress_.poll()) return;
+      refined[i] = refine(space_, lattice_, frontier[i].seed.open, refining_, scratches_.local());
+    });
+    std::vector<Pending> next;
+    for (std::size_t i = 0; i < frontier.size(); ++i) {
+      const auto first = static_cast<std::uint32_t>(top.size());
+      top[frontier[i].node] = TreeNode::inner(first);
+      top.resize(first + 8, TreeNode::leaf(Octree::no_block));
+      for (std::uint32_t child = 0; child < 8; ++child) {
+        OpenCell& cell = refined[i][child];
+        if (!lattice_.meets_brick(cell.cell)) continue;
+        const bool rooted =
+            cell.cell.level >= 0 && (cell.triangles <= block_triangles || cell.cell.level == block_deepest);
+        (rooted ? roots : next)
+            .push_back({{std::move(cell), frontier[i].seed.open.triangles}, first + child});
+      }
+    }
+    frontier = std::move(next);
+  }
+  std::sort(roots.begin(), roots.end(), [](const Pending& a, const Pending& b) {
+    return morton_place(a.seed.open.cell) < morton_place(b.seed.open.cell);
+  });
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    top[roots[i].node] = TreeNode::leaf(static_cast<std::uint32_t>(i));
+    seeds_.push_back(std::move(roots[i].seed));
+  }
+  top_ = std::move(top);
+}
+
+Octree BlockCut::octree() const {
+  Octree tree;
+  tree.lattice = lattice_;
+  tree.top = top_;
+  return tree;
+}
+
+/// A block's share of the octree's leaves goes by its list. With the gain test off all splits are wanted.
+std::uint64_t BlockCut::most_leaves(const OpenCell& root) const noexcept {
+  if (options_.gain >= 1) return ~std::uint64_t{0} / 2;
+  const double length = options_.max_triangles_per_leaf;
+  const double all = leaves_in_all + leaves_a_triangle * static_cast<double>(space_.triangles.size()) /
+                                         (length * std::sqrt(length));
+  return 8 +
+         static_cast<std::uint64_t>(all * static_cast<double>(root.triangles) / static_cast<double>(listed_));
+}
+
+BuiltBlock BlockCut::build(std::size_t number) {
+  Seed& seed = seeds_[number];
+  BlockBuilder builder(space_, lattice_, options_, refining_, scratches_.local(), most_leaves(seed.open),
+                       progress_);
+  Block block = builder.build(std::move(seed.open), seed.inherited);
+  return {std::move(block), builder.levels()};
+}
+
+void add_levels(std::vector<LevelStats>& sum, const std::vector<LevelStats>& part) {
   if (sum.size() < part.size()) sum.resize(part.size());
   for (std::size_t level = 0; level < part.size(); ++level) {
     sum[level].level = static_cast<int>(level);
@@ -89,35 +114,6 @@ void add(std::vector<LevelStats>& sum, const std::vector<LevelStats>& part) {
     sum[level].entries_pruned += part[level].entries_pruned;
     sum[level].entries_kept += part[level].entries_kept;
   }
-}
-
-}  // namespace
-
-Octree build_octree(SearchSpace space, const Lattice& lattice, const BuildOptions& options,
-                    Progress& progress) {
-  Octree tree;
-  tree.lattice = lattice;
-  const RefineOptions refining{options.lists, opened_below(options.max_triangles_per_leaf)};
-  Scratches scratches;
-  std::vector<Pending> seeds = cut_into_blocks(space, refining, scratches, tree, progress);
-  std::uint64_t rooted = 0;
-  for (const Pending& seed : seeds) rooted += seed.open.triangles;
-  std::vector<std::vector<LevelStats>> levels(seeds.size());
-  tree.blocks.resize(seeds.size());
-  progress.phase(0.2, 0.9, static_cast<double>(seeds.size()));
-  for_chunks(seeds.size(), 1, [&](std::size_t i, std::size_t) {
-    if (progress.cancelled()) return;
-    const std::uint64_t most = most_leaves(options, space.triangles.size(), seeds[i].open.triangles, rooted);
-    BlockBuilder builder(space, lattice, options, refining, scratches.local(), most, progress);
-    tree.blocks[i] = builder.build(std::move(seeds[i].open), seeds[i].inherited);
-    levels[i] = builder.levels();
-    progress.step();
-  });
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
-    tree.top[seeds[i].node] = TreeNode::leaf(static_cast<std::uint32_t>(i));
-    add(tree.levels, levels[i]);
-  }
-  return tree;
 }
 
 }  // namespace cdfr

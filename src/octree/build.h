@@ -1,11 +1,15 @@
 /// The octree over a mesh: cut into blocks, then level by level inside each block.
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <cstdint>
+#include <vector>
 
 #include "cdfr/octree/options.h"
 #include "core/progress.h"
 #include "octree/blocks.h"
+#include "octree/refine.h"
 #include "octree/search.h"
 
 namespace cdfr {
@@ -21,10 +25,48 @@ inline constexpr int block_deepest = 6;
 inline constexpr double leaves_in_all = 1U << 11;
 inline constexpr double leaves_a_triangle = 1700;  ///< times m^-1.5
 
-/// Leaves come out as `surface` where the surface may touch the closed cell, else as `undecided`: the field
-/// sets sides. Runs in the caller's task arena; blocks in parallel. If cancelled, what comes back is
-/// incomplete. O(output) but for the levels above the blocks.
-Octree build_octree(SearchSpace space, const Lattice& lattice, const BuildOptions& options,
-                    Progress& progress);
+/// A block and what its levels came to.
+struct BuiltBlock {
+  Block block;
+  std::vector<LevelStats> levels;
+};
+
+/// The octree's upper part, and its blocks, each to be built on its own, in any order.
+class BlockCut {
+ public:
+  /// Refines from the virtual cube down until lists are short enough for one block each. Runs in the caller's
+  /// task arena. Of no use if the progress is cancelled. What is passed by reference must outlive this.
+  BlockCut(SearchSpace space, const Lattice& lattice, const BuildOptions& options, Progress& progress);
+
+  /// Without blocks.
+  Octree octree() const;
+  std::size_t size() const noexcept { return seeds_.size(); }
+  /// Each once. Leaves come out as `surface` where the surface may touch the closed cell, else as
+  /// `undecided`: the field sets sides. Thread safe. Incomplete if cancelled. O(output).
+  BuiltBlock build(std::size_t number);
+
+ private:
+  struct Seed {
+    OpenCell open;
+    std::uint64_t inherited = 0;  ///< triangles of the parent's list
+  };
+  using Scratches = tbb::enumerable_thread_specific<RefineScratch>;
+  struct Pending;
+
+  void cut();
+  std::uint64_t most_leaves(const OpenCell& root) const noexcept;
+
+  SearchSpace space_;
+  const Lattice& lattice_;
+  const BuildOptions& options_;
+  RefineOptions refining_;
+  Progress& progress_;
+  Scratches scratches_;
+  Array<TreeNode> top_;
+  std::vector<Seed> seeds_;   ///< in Morton order
+  std::uint64_t listed_ = 0;  ///< triangles of all seeds' lists
+};
+
+void add_levels(std::vector<LevelStats>& sum, const std::vector<LevelStats>& part);
 
 }  // namespace cdfr

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "geometry/double_double.h"
 
@@ -20,33 +23,31 @@ double power_below(std::uint32_t k) noexcept { return std::bit_cast<double>(std:
 /// Copies the octree's nodes, top and blocks, into one array with one numbering of leaves.
 class LeafIndex::Maker {
  public:
-  Maker(LeafIndex& index, const Octree& tree) : index_(index), tree_(tree) {}
+  explicit Maker(const Octree& tree) : tree_(tree) {}
 
-  void run() {
+  Tables made() {
     choose_grid();
     cover(Cell{}, entered({&tree_.top, tree_.top[0], 0}));
-    index_.nodes_.shrink_to_fit();
+    nodes_.shrink_to_fit();
+    return {grid_level_, std::move(grid_), std::move(nodes_), std::move(leaves_)};
   }
 
  private:
   /// A node of the top tree or of a block whose leaves are numbered from first_leaf on.
   struct At {
-    const std::vector<TreeNode>* nodes;
+    const Array<TreeNode>* nodes;
     TreeNode node;
     std::uint32_t first_leaf;
   };
 
   /// About as many cells as leaves, so that the grid takes a fraction of their memory.
   void choose_grid() {
-    std::size_t leaves = 0;
-    for (const Block& block : tree_.blocks) leaves += block.leaves.size();
     const auto& bricks = tree_.lattice.bricks;
     const std::size_t cubes = std::size_t{bricks[0]} * bricks[1] * bricks[2];
-    int& level = index_.grid_level_;
-    while (level < deepest_level && cubes << (3 * (level + 1)) <= std::min(leaves, most_cells)) ++level;
-    for (int axis = 0; axis < 3; ++axis) index_.cells_[axis] = bricks[axis] << level;
-    index_.grid_.resize(cubes << (3 * level));
-    index_.leaves_.reserve(leaves);
+    const std::size_t most = std::min(tree_.leaves.size(), most_cells);
+    while (grid_level_ < deepest_level && cubes << (3 * (grid_level_ + 1)) <= most) ++grid_level_;
+    grid_.resize(cubes << (3 * grid_level_));
+    leaves_.reserve(tree_.leaves.size());
   }
 
   bool in_no_block(const At& at) const noexcept {
@@ -57,10 +58,10 @@ class LeafIndex::Maker {
   At entered(const At& at) {
     if (at.nodes != &tree_.top || !at.node.is_leaf() || in_no_block(at)) return at;
     const Block& block = tree_.blocks[at.node.leaf_number()];
-    const auto first = static_cast<std::uint32_t>(index_.leaves_.size());
-    for (const LeafRecord& leaf : block.leaves) {
-      index_.leaves_.push_back({block.entries.data() + leaf.first, leaf.count_and_side, 0});
-    }
+    const auto first = static_cast<std::uint32_t>(leaves_.size());
+    for (const LeafRecord& leaf : block.leaves)
+      leaves_.push_back({first_entry_ + leaf.first, leaf.count_and_side, 0});
+    first_entry_ += block.entries.size();
     return {&block.nodes, block.nodes[0], first};
   }
 
@@ -70,48 +71,57 @@ class LeafIndex::Maker {
 
   void cover(const Cell& cell, const At& at) {
     if (in_no_block(at)) return;
-    if (cell.level < index_.grid_level_ && !at.node.is_leaf()) {
+    if (cell.level < grid_level_ && !at.node.is_leaf()) {
       for (std::uint32_t i = 0; i < 8; ++i) cover(child_of(cell, static_cast<int>(i)), child(at, i));
       return;
     }
     const TreeNode node = copied(at, cell.level);
-    const int up = index_.grid_level_ - cell.level;
-    const auto [nx, ny, nz] = index_.cells_;
+    const int up = grid_level_ - cell.level;
+    const auto nx = std::size_t{tree_.lattice.bricks[0]} << grid_level_;
+    const auto ny = std::size_t{tree_.lattice.bricks[1]} << grid_level_;
     const std::uint32_t wide = 1U << up;
     const auto x = cell.place[0] << up, y = cell.place[1] << up, z = cell.place[2] << up;
     for (std::uint32_t row = 0; row < wide * wide; ++row) {
       const std::size_t first = (std::size_t{z + row / wide} * ny + y + row % wide) * nx + x;
-      std::fill_n(index_.grid_.begin() + static_cast<std::ptrdiff_t>(first), wide, node);
+      std::fill_n(grid_.begin() + static_cast<std::ptrdiff_t>(first), wide, node);
     }
   }
 
   TreeNode copied(const At& at, int level) {
+    if (in_no_block(at)) return {};  // of an octree of one block
     if (at.node.is_leaf()) {
       const std::uint32_t leaf = at.first_leaf + at.node.leaf_number();
-      index_.leaves_[leaf].level = static_cast<std::uint32_t>(level);
+      leaves_[leaf].level = static_cast<std::uint32_t>(level);
       return TreeNode::leaf(leaf);
     }
-    const auto first = static_cast<std::uint32_t>(index_.nodes_.size());
-    index_.nodes_.resize(first + 8);
-    for (std::uint32_t i = 0; i < 8; ++i) index_.nodes_[first + i] = copied(child(at, i), level + 1);
+    const auto first = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.resize(first + 8);
+    for (std::uint32_t i = 0; i < 8; ++i) nodes_[first + i] = copied(child(at, i), level + 1);
     return TreeNode::inner(first);
   }
 
-  LeafIndex& index_;
   const Octree& tree_;
+  int grid_level_ = 0;
+  std::vector<TreeNode> grid_, nodes_;
+  std::vector<Leaf> leaves_;
+  std::uint64_t first_entry_ = 0;
 };
 
-LeafIndex::LeafIndex(const Octree& tree) : origin_(tree.lattice.origin), scale_(1 / tree.lattice.edge) {
-  if (tree.blocks.empty()) return;
-  domain_ = tree.lattice.domain();
-  Maker(*this, tree).run();
-}
+LeafIndex::LeafIndex(const Octree& tree)
+    : LeafIndex(tree, tree.blocks.empty() ? Tables{} : Maker(tree).made()) {}
 
-void LeafIndex::take_sides(const Octree& tree) noexcept {
-  std::size_t i = 0;
-  for (const Block& block : tree.blocks) {
-    for (const LeafRecord& leaf : block.leaves) leaves_[i++].count_and_side = leaf.count_and_side;
-  }
+LeafIndex::LeafIndex(const Octree& tree, Tables tables)
+    : origin_(tree.lattice.origin), scale_(1 / tree.lattice.edge), tables_(std::move(tables)) {
+  if (tree.blocks.empty()) return;
+  domain_ = tree.blocks.size() == 1 ? tree.lattice.box(cell_of(tree.blocks[0].key)) : tree.lattice.domain();
+  grid_level_ = tables_.grid_level;
+  for (int axis = 0; axis < 3; ++axis) cells_[axis] = tree.lattice.bricks[axis] << grid_level_;
+  leaf_count_ = tables_.leaves.size();
+  all_entries_ = tree.entries;
+  grid_ = tables_.grid.data();
+  nodes_ = tables_.nodes.data();
+  leaves_ = tables_.leaves.data();
+  entries_ = all_entries_.data();
 }
 
 /// x - origin rounds to nearest and so may reach the next lattice point from below by at most half an ulp:
@@ -131,13 +141,14 @@ LatticePoint LeafIndex::place(const Vec3& p) const noexcept {
 std::uint32_t LeafIndex::leaf(const LatticePoint& point) const noexcept {
   const auto [x, y, z] = point.place;
   int bit = deepest_level - grid_level_;
+  assert(bit >= 0);
   TreeNode node = grid_[(std::size_t{z >> bit} * cells_[1] + (y >> bit)) * cells_[0] + (x >> bit)];
-  while (!node.is_leaf()) {
+  while (!node.is_leaf() && bit > 0) {  // in a forged file there may be no end
     --bit;
     const std::uint32_t child = (x >> bit & 1U) | (y >> bit & 1U) << 1 | (z >> bit & 1U) << 2;
     node = nodes_[node.first_child() + child];
   }
-  return node.leaf_number();
+  return node.is_leaf() ? node.leaf_number() : 0;
 }
 
 Located LeafIndex::at(const LatticePoint& point, std::uint32_t number) const noexcept {
@@ -151,7 +162,7 @@ Located LeafIndex::at(const LatticePoint& point, std::uint32_t number) const noe
   const double y = from_middle(point.at.y, point.place[1]);
   const double z = from_middle(point.at.z, point.place[2]);
   const LeafRecord record{0, leaf.count_and_side};
-  return {{leaf.entries, record.count()},
+  return {{entries_ + leaf.first, record.count()},
           record.side(),
           {x, y, z},
           // A point that its own difference to the origin has moved by up to 2^-50 edges.
@@ -160,8 +171,7 @@ Located LeafIndex::at(const LatticePoint& point, std::uint32_t number) const noe
 }
 
 std::uint64_t LeafIndex::bytes() const noexcept {
-  return grid_.capacity() * sizeof(TreeNode) + nodes_.capacity() * sizeof(TreeNode) +
-         leaves_.capacity() * sizeof(Leaf);
+  return tables_.grid.bytes() + tables_.nodes.bytes() + tables_.leaves.bytes();
 }
 
 }  // namespace cdfr

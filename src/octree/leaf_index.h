@@ -1,5 +1,5 @@
 /// From a point to its leaf in few dependent loads: a dense grid over the brick, then tables of eight
-/// children. Derived from the octree, and not stored.
+/// children. Made of the octree once, and stored with it.
 #pragma once
 
 #include <array>
@@ -29,15 +29,29 @@ struct Located {
 
 class LeafIndex {
  public:
+  struct Leaf {
+    std::uint64_t first;  ///< of its entries, in all of the octree's
+    std::uint32_t count_and_side;
+    std::uint32_t level;
+  };
+  /// What the index is made of.
+  struct Tables {
+    int grid_level = 0;
+    Array<TreeNode> grid;
+    Array<TreeNode> nodes;  ///< eight children each, below the grid's level
+    Array<Leaf> leaves;     ///< in Morton order
+  };
+
   LeafIndex() = default;
-  /// The octree's blocks must outlive the index and keep their arrays in place.
+  /// Of leaves whose sides are set. Shares the octree's entries.
   explicit LeafIndex(const Octree& tree);
+  /// Of tables that were made from that octree before.
+  LeafIndex(const Octree& tree, Tables tables);
 
-  /// Takes over the sides of the leaves, set since. The octree is the one that the index was made of.
-  void take_sides(const Octree& tree) noexcept;
-
-  bool empty() const noexcept { return leaves_.empty(); }
-  /// The half-open brick, where the steps below answer; nothing if the octree has no blocks.
+  bool empty() const noexcept { return leaf_count_ == 0; }
+  const Tables& tables() const noexcept { return tables_; }
+  /// The half-open brick, where the steps below answer, or the cell of an octree's only block; nothing if it
+  /// has none.
   bool contains(const Vec3& p) const noexcept {
     return p.x >= domain_.lo.x && p.x < domain_.hi.x && p.y >= domain_.lo.y && p.y < domain_.hi.y &&
            p.z >= domain_.lo.z && p.z < domain_.hi.z;
@@ -59,12 +73,6 @@ class LeafIndex {
   std::uint64_t bytes() const noexcept;
 
  private:
-  struct Leaf {
-    const Entry* entries;
-    std::uint32_t count_and_side;
-    std::uint32_t level;
-  };
-
   class Maker;
 
   Vec3 origin_;
@@ -72,9 +80,14 @@ class LeafIndex {
   double scale_ = 1;                      ///< edges in a unit of length
   std::array<std::uint32_t, 3> cells_{};  ///< of the grid, along each axis
   int grid_level_ = 0;
-  std::vector<TreeNode> grid_;
-  std::vector<TreeNode> nodes_;  ///< eight children each, below the grid's level
-  std::vector<Leaf> leaves_;     ///< in Morton order
+  std::size_t leaf_count_ = 0;
+  // Where the tables and the entries lie.
+  const TreeNode* grid_ = nullptr;
+  const TreeNode* nodes_ = nullptr;
+  const Leaf* leaves_ = nullptr;
+  const Entry* entries_ = nullptr;
+  Tables tables_;
+  Array<Entry> all_entries_;
 };
 
 }  // namespace cdfr

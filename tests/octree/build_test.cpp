@@ -6,6 +6,7 @@
 #include <set>
 
 #include "mesh/topology.h"
+#include "octree/built_octree.h"
 #include "octree/search.h"
 #include "support/meshes.h"
 
@@ -23,9 +24,7 @@ struct Built {
     BvhAndOrder ordered = build_bvh(mesh.view());
     bvh = std::move(ordered.bvh);
     triangles = gather_triangles(mesh.view(), weld_topology(mesh.view()), ordered.order);
-    const Run run;
-    Progress progress(run);
-    tree = build_octree({triangles, bvh}, lattice_for(bvh.nodes[0].box, options.margin), options, progress);
+    tree = test::build_octree({triangles, bvh}, lattice_for(bvh.nodes[0].box, options.margin), options);
   }
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mesh/topology.h"
+#include "octree/built_octree.h"
 #include "octree/made_octree.h"
 #include "support/meshes.h"
 
@@ -24,14 +25,14 @@ Walked walk(const Octree& tree, const Vec3& p) {
   const Vec3& o = tree.lattice.origin;
   const double at[3] = {p.x - o.x, p.y - o.y, p.z - o.z};
   Walked w;
-  const std::vector<TreeNode>* nodes = &tree.top;
+  const Array<TreeNode>* nodes = &tree.top;
   TreeNode node = tree.top[0];
   for (;;) {
     if (node.is_leaf() && w.block != nullptr) break;
     if (node.is_leaf()) {
       w.block = &tree.blocks.at(node.leaf_number());
       nodes = &w.block->nodes;
-      node = nodes->at(0);
+      node = (*nodes)[0];
       continue;
     }
     int child = 0;
@@ -45,9 +46,9 @@ Walked walk(const Octree& tree, const Vec3& p) {
       }
     }
     w.cell = child_of(w.cell, child);
-    node = nodes->at(node.first_child() + static_cast<unsigned>(child));
+    node = (*nodes)[node.first_child() + static_cast<unsigned>(child)];
   }
-  w.leaf = w.block->leaves.at(node.leaf_number());
+  w.leaf = w.block->leaves[node.leaf_number()];
   return w;
 }
 
@@ -128,10 +129,8 @@ void check(const Octree& tree, test::Random& random, int points) {
 Octree built(const Mesh& mesh, const BuildOptions& options) {
   const BvhAndOrder ordered = build_bvh(mesh.view());
   const TriangleStore triangles = gather_triangles(mesh.view(), weld_topology(mesh.view()), ordered.order);
-  const Run run;
-  Progress progress(run);
   const Lattice lattice = lattice_for(ordered.bvh.nodes[0].box, options.margin);
-  return build_octree({triangles, ordered.bvh}, lattice, options, progress);
+  return test::build_octree({triangles, ordered.bvh}, lattice, options);
 }
 
 TEST(LeafIndex, FindsTheLeafThatAWalkFinds) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "octree/blocks.h"
 #include "octree/build.h"
@@ -15,36 +17,44 @@ class OctreeMaker {
   OctreeMaker(Random& random, const Lattice& lattice, int deepest, double chance)
       : random_(random), deepest_(deepest), chance_(chance) {
     tree_.lattice = lattice;
-    tree_.top.resize(1);
   }
 
   Octree made() {
+    top_.resize(1);
     cut({}, 0);
+    tree_.top = std::move(top_);
+    join(tree_, std::move(blocks_));
     return std::move(tree_);
   }
 
  private:
+  struct Growing {
+    std::vector<TreeNode> nodes;
+    std::vector<LeafRecord> leaves;
+    std::vector<Entry> entries;
+  };
+
   bool splits(const Cell& cell) { return cell.level < deepest_ && random_.between(0, 1) < chance_; }
 
   void cut(const Cell& cell, std::size_t at) {
     if (!tree_.lattice.meets_brick(cell)) {
-      tree_.top[at] = TreeNode::leaf(Octree::no_block);
+      top_[at] = TreeNode::leaf(Octree::no_block);
     } else if (cell.level >= 0 && (cell.level == block_deepest || !splits(cell))) {
-      tree_.top[at] = TreeNode::leaf(static_cast<std::uint32_t>(tree_.blocks.size()));
-      Block block;
-      block.key = key_of(cell);
+      top_[at] = TreeNode::leaf(static_cast<std::uint32_t>(blocks_.size()));
+      Growing block;
       block.nodes.resize(1);
       grow(block, cell, 0);
-      tree_.blocks.push_back(std::move(block));
+      blocks_.push_back(
+          {key_of(cell), std::move(block.nodes), std::move(block.leaves), std::move(block.entries)});
     } else {
-      const std::size_t first = tree_.top.size();
-      tree_.top[at] = TreeNode::inner(static_cast<std::uint32_t>(first));
-      tree_.top.resize(first + 8);
+      const std::size_t first = top_.size();
+      top_[at] = TreeNode::inner(static_cast<std::uint32_t>(first));
+      top_.resize(first + 8);
       for (int i = 0; i < 8; ++i) cut(child_of(cell, i), first + static_cast<std::size_t>(i));
     }
   }
 
-  void grow(Block& block, const Cell& cell, std::size_t at) {
+  void grow(Growing& block, const Cell& cell, std::size_t at) {
     if (splits(cell)) {
       const std::size_t first = block.nodes.size();
       block.nodes[at] = TreeNode::inner(static_cast<std::uint32_t>(first));
@@ -64,6 +74,8 @@ class OctreeMaker {
   int deepest_;
   double chance_;
   Octree tree_;
+  std::vector<TreeNode> top_;
+  std::vector<Block> blocks_;
 };
 
 }  // namespace cdfr::test

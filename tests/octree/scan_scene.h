@@ -59,14 +59,15 @@ struct Scene {
 
   /// A binary tree over all groups, whose node 0 may then stand in the list for any of them.
   void grow_tree() {
-    bvh.nodes.clear();
-    grow_tree(0, static_cast<std::uint32_t>(groups.size()));
+    std::vector<BvhNode> nodes;
+    grow_tree(nodes, 0, static_cast<std::uint32_t>(groups.size()));
+    bvh.nodes = std::move(nodes);
   }
 
   /// cdfr::scan of the list. False if that does not find all.
   bool scan(const Vec3& p, Candidates& candidates) const {
     TriangleStore triangles;
-    triangles.records.resize(groups.size() * group_size);
+    triangles.records = std::vector<TriangleRecord>(groups.size() * group_size);
     Lattice lattice;
     lattice.origin = origin;
     lattice.edge = edge;
@@ -84,20 +85,20 @@ struct Scene {
   }
 
  private:
-  void grow_tree(std::uint32_t first, std::uint32_t end) {
-    const std::size_t place = bvh.nodes.size();
+  void grow_tree(std::vector<BvhNode>& nodes, std::uint32_t first, std::uint32_t end) const {
+    const std::size_t place = nodes.size();
     BvhNode node{{groups[first].group.vertex(0, 0), groups[first].group.vertex(0, 0)}, first, end};
     for (std::uint32_t g = first; g < end; ++g) {
       for (const TriangleShape& shape : groups[g].shapes) {
         for (const Vec3& v : shape.vertices) node.box = united(node.box, {v, v});
       }
     }
-    bvh.nodes.push_back(node);
+    nodes.push_back(node);
     if (node.is_group()) return;
     const std::uint32_t middle = first + (end - first) / 2;
-    grow_tree(first, middle);
-    grow_tree(middle, end);
-    bvh.nodes[place] = node;
+    grow_tree(nodes, first, middle);
+    grow_tree(nodes, middle, end);
+    nodes[place] = node;
   }
 
   /// In edges, rounded down.

@@ -34,13 +34,16 @@ struct Made {
                      {middle.x + spread, middle.y + spread, middle.z + spread}};
       scene.add(test::shaped_group(random, test::all_shapes[random.below(6)], random.in(near), size), 0xff);
     }
+    std::vector<ExactTriangle> exact;
+    std::vector<TriangleRecord> records;
     for (const test::ShapedGroup& made : scene.groups) {
-      for (const TriangleShape& shape : made.shapes) store.exact.push_back({shape, 0, 0});
+      for (const TriangleShape& shape : made.shapes) exact.push_back({shape, 0, 0});
     }
     for (std::uint32_t slot = 0; slot < scene.groups.size() * group_size; ++slot) {
       const std::array<std::uint32_t, 3> ids{3 * slot, 3 * slot + 1, 3 * slot + 2};
-      store.records.push_back({ids, ids, slot, Sides::unknown, {}});
+      records.push_back({ids, ids, slot, Sides::unknown, {}});
     }
+    store = {std::move(exact), std::move(records)};
   }
 
   Foot foot(const Vec3& p, std::uint32_t slot) const {

@@ -54,10 +54,12 @@ TEST_F(StoreBytes, FollowTheLayout) {
   EXPECT_EQ(head.version, format::version);
   EXPECT_EQ(head.sections, std::uint32_t{format::section_count});
   EXPECT_EQ(head.file_size, bytes.size());
-  for (const std::uint64_t word : head.zero) EXPECT_EQ(word, 0U);
+  EXPECT_EQ(head.packing, 0U);
+  EXPECT_EQ(head.zero, 0U);
+  for (const std::uint64_t word : head.zeros) EXPECT_EQ(word, 0U);
   format::Counts counts;
   std::memcpy(&counts, bytes.data() + sizeof head, sizeof counts);
-  EXPECT_EQ(format::file_size(counts), bytes.size());
+  EXPECT_EQ(format::Places(counts).file_size(), bytes.size());
   EXPECT_EQ(counts[format::unit], 2U);
   EXPECT_EQ(counts[format::records], 128U);
 }

@@ -16,6 +16,7 @@ namespace {
 
 struct Arguments {
   std::string input, output;
+  bool compress = false;
   Settings settings;
 };
 
@@ -27,7 +28,8 @@ void build(const Arguments& arguments) {
   const Input input = open_input(arguments.input, arguments.settings);
   {
     const DeferInterrupts defer;
-    need(save(input.field, arguments.output, input.unit), arguments.output);
+    need(save(input.field, arguments.output, input.unit, arguments.compress ? Packing::zstd : Packing::none),
+         arguments.output);
     stop_if_interrupted();
   }
   if (arguments.settings.json) {
@@ -46,6 +48,8 @@ void add_build(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("build", "Build the distance field of a mesh and save it");
   verb->add_option("MESH", arguments->input, "STL, OBJ, PLY, glTF or GLB")->required();
   verb->add_option("-o,--output", arguments->output, "Field to write (.cdfr)")->required()->type_name("FILE");
+  verb->add_flag("--compress", arguments->compress,
+                 "Pack the file (zstd), for archives: it is read into memory whole, not mapped");
   add_field_options(*verb, arguments->settings);
   verb->footer("Example:\n  cdfr build part.stl -o part.cdfr --unit mm");
   verb->callback([arguments] { build(*arguments); });

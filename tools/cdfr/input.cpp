@@ -44,6 +44,7 @@ Input load_field(const std::filesystem::path& path, const Settings& settings) {
     stop_usage(option + " means nothing here: '" + path.string() + "' is a saved field");
   }
   StoredField stored = need(load(path), path);
+  need(stored.field.status(), path);
   std::string unit = settings.unit.empty() ? std::move(stored.unit) : settings.unit;
   return {std::move(stored.field), std::move(unit), std::nullopt};
 }

@@ -63,12 +63,17 @@ class CDFR_API Field {
   /// Distance with all that belongs to it. Ties in the computed distance go to the lowest triangle number; a
   /// triangle of no area wins only where no proper one is as close.
   Closest closest(Vec3 x) const noexcept;
-  /// Batch forms: out[i] belongs to x[i]. Errors: cancelled. Precondition: out.size() == x.size().
+  /// Batch forms: out[i] belongs to x[i]. Errors: cancelled; status(). Precondition: out.size() == x.size().
   Result<void> distance(Points x, std::span<double> out, const Run& run = {}) const;
   /// The same bits as distance(grid.point(i, j, k)), which neighbouring samples find together. Precondition:
   /// out.size() == grid.count().
   Result<void> distance(const Grid& grid, std::span<double> out, const Run& run = {}) const;
   Result<void> closest(Points x, std::span<Closest> out, const Run& run = {}) const;
+
+  /// Of a field from a file: an error if something that was read turned out to be damaged, or the file has been cut
+  /// short, changed or replaced since. Damage is for good: from then on every distance is NaN, and calls that
+  /// return a Result return this error. Nothing is wrong with a field that was built. One call to the system.
+  Result<void> status() const;
 
   /// Box that the octree covers: at least the mesh's box grown by the margin.
   Box domain() const noexcept;
