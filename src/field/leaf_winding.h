@@ -24,7 +24,7 @@ struct LeafWindings {
   static constexpr std::int32_t unknown = std::numeric_limits<std::int32_t>::min();
 
   /// If there is no boundary: w(r) by leaf of the index, where it is known and somebody needs it.
-  Array<std::int32_t> whole;
+  std::vector<std::int32_t> whole;
 
   // If there is one.
   struct Known {
@@ -33,9 +33,9 @@ struct LeafWindings {
     float drift;          ///< and that at most beside, by the farthest point of the leaf
     std::uint32_t first;  ///< its near edges are near[first] .. of the next one
   };
-  Array<std::uint32_t> place;  ///< by leaf: in `known`, or no_index
-  Array<Known> known;          ///< and an end
-  Array<std::uint32_t> near;   ///< numbers of boundary edges
+  std::vector<std::uint32_t> place;  ///< by leaf: in `known`, or no_index
+  std::vector<Known> known;          ///< and an end
+  std::vector<std::uint32_t> near;   ///< numbers of boundary edges
 
   std::uint64_t bytes() const noexcept;
 };

@@ -16,6 +16,10 @@ template <class T>
 std::uint64_t bytes_of(const std::vector<T>& v) noexcept {
   return v.capacity() * sizeof(T);
 }
+template <class T>
+std::uint64_t bytes_of(const Array<T>& v) noexcept {
+  return v.bytes();
+}
 
 std::uint64_t total_bytes(const FieldData& field) noexcept {
   std::uint64_t bytes = sizeof field + bytes_of(field.triangles.exact) + bytes_of(field.triangles.records) +

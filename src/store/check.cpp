@@ -116,7 +116,7 @@ Box box_of(const TriangleStore& t, std::uint32_t group) noexcept {
 }
 
 Result<void> check_bvh(const FieldData& field) {
-  const std::vector<BvhNode>& nodes = field.bvh.nodes;
+  const Array<BvhNode>& nodes = field.bvh.nodes;
   const std::size_t groups = field.triangles.group_count();
   if (nodes.size() != 2 * groups - 1) return refusal(0, "bvh_nodes: count does not fit the groups");
   struct Expected {
