@@ -23,8 +23,8 @@ constexpr int most_halvings = 8;
 constexpr std::size_t most_opened = 1024;
 
 /// By edge id: how often triangles run along it from the low vertex to the high one, less the other way.
-std::vector<std::int32_t> balances(const TriangleStore& store, std::size_t edge_count) {
-  std::vector<std::int32_t> balance(edge_count);
+Large<std::int32_t> balances(const TriangleStore& store, std::size_t edge_count, const Scratch* scratch) {
+  Large<std::int32_t> balance(edge_count, scratch);
   for (const TriangleRecord& record : store.records) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (record.edges[k] == no_index) continue;
@@ -46,12 +46,12 @@ double pull(const Vec3& a, const Vec3& b, const Vec3& centre, double radius, int
 
 }  // namespace
 
-Boundary find_boundary(SearchSpace space, std::size_t edge_count) {
-  std::vector<std::int32_t> balance = balances(space.triangles, edge_count);
-  std::vector<BoundaryEdge> edges;
-  std::vector<std::uint32_t> first;
+Boundary find_boundary(SearchSpace space, std::size_t edge_count, const Scratch* scratch) {
+  Large<std::int32_t> balance = balances(space.triangles, edge_count, scratch);
+  Large<BoundaryEdge> edges(scratch);
+  Large<std::uint32_t> first(scratch);
   const std::size_t groups = space.triangles.group_count();
-  std::vector<double> group_length(groups);
+  Large<double> group_length(groups, scratch);
   for (std::uint32_t slot = 0; slot < space.triangles.size(); ++slot) {
     if (slot % group_size == 0) first.push_back(static_cast<std::uint32_t>(edges.size()));
     const TriangleShape shape = space.triangles.shape(slot);
@@ -68,7 +68,7 @@ Boundary find_boundary(SearchSpace space, std::size_t edge_count) {
     }
   }
   first.push_back(static_cast<std::uint32_t>(edges.size()));
-  std::vector<double> lengths(space.bvh.nodes.size());
+  Large<double> lengths(space.bvh.nodes.size(), scratch);
   for (std::size_t i = lengths.size(); i-- > 0;) {
     const BvhNode& node = space.bvh.nodes[i];
     const auto index = static_cast<std::uint32_t>(i);

@@ -15,6 +15,7 @@
 
 #include "cdfr/core/types.h"
 #include "core/array.h"
+#include "core/scratch.h"
 #include "mesh/bvh.h"
 
 namespace cdfr {
@@ -32,7 +33,7 @@ struct Boundary {
 };
 
 /// Edge ids of the records are below edge_count. O(n).
-Boundary find_boundary(SearchSpace space, std::size_t edge_count);
+Boundary find_boundary(SearchSpace space, std::size_t edge_count, const Scratch* scratch = nullptr);
 
 /// Bound on |w(x) - w(centre)| for such x; infinite if the boundary comes that near or nearly so.
 double winding_drift(const Boundary& boundary, SearchSpace space, const Vec3& centre, double radius) noexcept;

@@ -1,6 +1,7 @@
 #include "field/build_field.h"
 
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "core/floating_environment.h"
@@ -71,10 +72,10 @@ Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options, Prog
   field.triangles = std::move(examined->triangles);
   if (field.sign != Sign::none) {
     const bool naive = field.sign == Sign::pseudonormal;
-    static const std::vector<std::uint8_t> all;
-    field.pseudonormals =
-        pseudonormals(field.triangles, examined->topology.edges.size(), field.report.vertices,
-                      naive ? all : examined->plain_edges, naive ? all : examined->plain_vertices);
+    const std::span<const std::uint8_t> all, edges = examined->plain_edges,
+                                             vertices = examined->plain_vertices;
+    field.pseudonormals = pseudonormals(field.triangles, examined->topology.edges.size(),
+                                        field.report.vertices, naive ? all : edges, naive ? all : vertices);
   }
   derive_far_side(field);
   if (field.sign == Sign::winding && !field.report.balanced())

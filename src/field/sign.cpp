@@ -53,18 +53,18 @@ std::array<double, 3> angles_of(const TriangleShape& triangle) noexcept {
 }  // namespace
 
 Pseudonormals pseudonormals(const TriangleStore& store, std::size_t edge_count, std::size_t vertex_count,
-                            const std::vector<std::uint8_t>& plain_edges,
-                            const std::vector<std::uint8_t>& plain_vertices) {
-  std::vector<Sum> edges(edge_count);
-  std::vector<Sum> vertices(vertex_count);
-  std::vector<std::array<double, 3>> angles(store.size());
+                            std::span<const std::uint8_t> plain_edges,
+                            std::span<const std::uint8_t> plain_vertices, const Scratch* scratch) {
+  Large<Sum> edges(edge_count, scratch);
+  Large<Sum> vertices(vertex_count, scratch);
+  Large<std::array<double, 3>> angles(store.size(), scratch);
   for_chunks(angles.size(), 1024, [&](std::size_t first, std::size_t end) {
     for (std::size_t slot = first; slot < end; ++slot) {
       angles[slot] = angles_of(store.shape(static_cast<std::uint32_t>(slot)));
     }
   });
   // In input order, so that sums do not depend on the BVH.
-  std::vector<std::uint32_t> slot_of(store.size());
+  Large<std::uint32_t> slot_of(store.size(), scratch);
   for (std::uint32_t slot = 0; slot < store.size(); ++slot) slot_of[store.records[slot].number] = slot;
   for (const std::uint32_t slot : slot_of) {
     const DoubleDouble3 normal = store.shape(slot).normal;
@@ -74,10 +74,10 @@ Pseudonormals pseudonormals(const TriangleStore& store, std::size_t edge_count, 
       vertices[record.vertices[k]].add(normal, angles[slot][k]);
     }
   }
-  const auto is_plain = [](const std::vector<std::uint8_t>& plain, std::size_t i) {
+  const auto is_plain = [](std::span<const std::uint8_t> plain, std::size_t i) {
     return plain.empty() || plain[i] != 0;
   };
-  std::vector<Vec3> edge_normals(edges.size()), vertex_normals(vertices.size());
+  Large<Vec3> edge_normals(edges.size(), scratch), vertex_normals(vertices.size(), scratch);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (is_plain(plain_edges, i)) edge_normals[i] = edge_normal(edges[i]);
   }

@@ -11,10 +11,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include "cdfr/core/types.h"
 #include "core/array.h"
+#include "core/scratch.h"
 #include "geometry/point_triangle.h"
 #include "mesh/triangles.h"
 
@@ -34,8 +35,8 @@ struct Pseudonormals {
 /// `plain_edges` and `plain_vertices` leave out what is not plain (Examined); empty ones leave out nothing.
 /// O(triangles). Runs in the caller's task arena.
 Pseudonormals pseudonormals(const TriangleStore& store, std::size_t edges, std::size_t vertices,
-                            const std::vector<std::uint8_t>& plain_edges,
-                            const std::vector<std::uint8_t>& plain_vertices);
+                            std::span<const std::uint8_t> plain_edges,
+                            std::span<const std::uint8_t> plain_vertices, const Scratch* scratch = nullptr);
 
 /// 1 on the side that the normal at the foot points to, -1 on the other one, 0 undecided. `reach` is at least
 /// the distance from the point to the triangle's vertices. Precondition: the foot is on an edge or vertex,

@@ -112,8 +112,8 @@ Bounded angle_of(const WindingMoments& m, const Eigen::Vector3d& r, double d) no
 
 }  // namespace
 
-WindingTree build_winding_tree(SearchSpace space, std::size_t edge_count) {
-  std::vector<WindingMoments> nodes(space.bvh.nodes.size());
+WindingTree build_winding_tree(SearchSpace space, std::size_t edge_count, const Scratch* scratch) {
+  Large<WindingMoments> nodes(space.bvh.nodes.size(), scratch);
   for (std::size_t i = nodes.size(); i-- > 0;) {  // children come after their parents
     const BvhNode& node = space.bvh.nodes[i];
     const auto index = static_cast<std::uint32_t>(i);
@@ -123,7 +123,7 @@ WindingTree build_winding_tree(SearchSpace space, std::size_t edge_count) {
       nodes[i] = joined(node.box, std::array{nodes[space.bvh.left(index)], nodes[space.bvh.right(index)]});
     }
   }
-  return {std::move(nodes), find_boundary(space, edge_count)};
+  return {std::move(nodes), find_boundary(space, edge_count, scratch)};
 }
 
 Bounded winding_number(const WindingTree& tree, SearchSpace space, const Vec3& p, double opening) noexcept {

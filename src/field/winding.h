@@ -17,11 +17,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "cdfr/core/types.h"
 #include "cdfr/octree/leaf.h"
 #include "core/array.h"
+#include "core/scratch.h"
 #include "field/boundary.h"
 #include "geometry/solid_angle.h"
 #include "mesh/bvh.h"
@@ -48,7 +48,7 @@ struct WindingTree {
 };
 
 /// Edge ids of the records are below edge_count. O(n).
-WindingTree build_winding_tree(SearchSpace space, std::size_t edge_count);
+WindingTree build_winding_tree(SearchSpace space, std::size_t edge_count, const Scratch* scratch = nullptr);
 
 /// w(p), nodes taken whole where p is at least `opening` of their radii away; infinite: triangle by triangle.
 Bounded winding_number(const WindingTree& tree, SearchSpace space, const Vec3& p, double opening) noexcept;

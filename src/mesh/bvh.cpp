@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "core/parallel.h"
 #include "geometry/box_distance.h"
@@ -216,12 +217,12 @@ Item item_of(const std::array<Vec3, 3>& corners, const std::array<Share, 3>& sha
   return item;
 }
 
-std::vector<Item> items_of(MeshView mesh) {
+Large<Item> items_of(MeshView mesh, const Scratch* scratch) {
   const Box box = box_of(mesh);
   const double longest = longest_side(box);
   const double scale = longest > 0 ? 1 / longest : 0;
   const std::array<Share, 3> shares{Share{box.lo.x, scale}, Share{box.lo.y, scale}, Share{box.lo.z, scale}};
-  std::vector<Item> items(mesh.triangles.size());
+  Large<Item> items(mesh.triangles.size(), scratch);
   for_chunks(items.size(), parallel_grain, [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
       const Triangle& t = mesh.triangles[i];
@@ -234,12 +235,11 @@ std::vector<Item> items_of(MeshView mesh) {
 
 }  // namespace
 
-BvhAndOrder build_bvh(MeshView mesh) {
-  std::vector<Item> items = items_of(mesh);
-  std::vector<BvhNode> nodes(2 * whole_groups(items.size()) - 1);
+BvhAndOrder build_bvh(MeshView mesh, const Scratch* scratch) {
+  Large<Item> items = items_of(mesh, scratch);
+  Large<BvhNode> nodes(2 * whole_groups(items.size()) - 1, scratch);
   Builder(mesh, items, nodes).build(0, items.size(), 0, 0);
-  BvhAndOrder result;
-  result.bvh.nodes = std::move(nodes);
+  BvhAndOrder result{{std::move(nodes)}, Large<std::uint32_t>(scratch)};
   result.order.reserve(items.size());
   for (const Item& item : items) result.order.push_back(item.number);
   return result;

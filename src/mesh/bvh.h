@@ -4,10 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "cdfr/core/types.h"
 #include "core/array.h"
+#include "core/scratch.h"
 #include "mesh/topology.h"
 #include "mesh/triangles.h"
 
@@ -42,9 +42,9 @@ struct Bvh {
 /// log n). Precondition: the mesh is not empty. Runs in the caller's task arena.
 struct BvhAndOrder {
   Bvh bvh;
-  std::vector<std::uint32_t> order;  ///< triangle numbers by slot
+  Large<std::uint32_t> order;  ///< triangle numbers by slot
 };
-BvhAndOrder build_bvh(MeshView mesh);
+BvhAndOrder build_bvh(MeshView mesh, const Scratch* scratch = nullptr);
 
 /// Depth first from `root`, left before right: enter(node) says whether to look into a node, group(node) is
 /// called for each group that was entered and ends the walk by returning false. True if nothing did.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "geometry/offset.h"
 #include "geometry/unit_normal.h"
@@ -13,7 +12,7 @@ namespace cdfr {
 namespace {
 
 /// The uses of an edge by triangles that are not collapsed, into `uses`.
-void live_uses(const Topology& topology, std::uint32_t edge, std::vector<Topology::Use>& uses) {
+void live_uses(const Topology& topology, std::uint32_t edge, Large<Topology::Use>& uses) {
   uses.clear();
   for (const auto& use : topology.uses_of(edge)) {
     if (!topology.collapsed(use.triangle)) uses.push_back(use);
@@ -21,8 +20,9 @@ void live_uses(const Topology& topology, std::uint32_t edge, std::vector<Topolog
 }
 
 /// Counts edges by their uses, and joins in `triangles` and `fans` (corners) what shares an edge.
-void audit_edges(const Topology& topology, DisjointSets& triangles, DisjointSets& fans, MeshReport& report) {
-  std::vector<Topology::Use> uses;
+void audit_edges(const Topology& topology, DisjointSets& triangles, DisjointSets& fans, MeshReport& report,
+                 const Scratch* scratch) {
+  Large<Topology::Use> uses(scratch);
   for (std::uint32_t e = 0; e < topology.edges.size(); ++e) {
     live_uses(topology, e, uses);
     int balance = 0;
@@ -46,8 +46,9 @@ void count_components(const Topology& topology, DisjointSets& triangles, MeshRep
   }
 }
 
-void count_nonmanifold_vertices(const Topology& topology, DisjointSets& fans, MeshReport& report) {
-  std::vector<std::uint8_t> fans_at(topology.vertex_count, 0);
+void count_nonmanifold_vertices(const Topology& topology, DisjointSets& fans, MeshReport& report,
+                                const Scratch* scratch) {
+  Large<std::uint8_t> fans_at(topology.vertex_count, 0, scratch);
   for (std::size_t corner = 0; corner < 3 * topology.triangles.size(); ++corner) {
     const Triangle& triangle = topology.triangles[corner / 3];
     if (topology.collapsed(corner / 3) || fans.root(corner) != corner) continue;
@@ -113,14 +114,15 @@ Box box_of(const MeshView& mesh) noexcept {
   return box;
 }
 
-MeshReport counted(MeshView mesh, const Topology& topology, const std::vector<std::uint32_t>& first_twins) {
+MeshReport counted(MeshView mesh, const Topology& topology, std::span<const std::uint32_t> first_twins,
+                   const Scratch* scratch) {
   MeshReport report;
   report.triangles = mesh.triangles.size();
   report.vertices = topology.vertex_count;
-  DisjointSets triangles(topology.triangles.size()), fans(3 * topology.triangles.size());
-  audit_edges(topology, triangles, fans, report);
+  DisjointSets triangles(topology.triangles.size(), scratch), fans(3 * topology.triangles.size(), scratch);
+  audit_edges(topology, triangles, fans, report, scratch);
   count_components(topology, triangles, report);
-  count_nonmanifold_vertices(topology, fans, report);
+  count_nonmanifold_vertices(topology, fans, report, scratch);
   for (std::uint32_t t = 0; t < first_twins.size(); ++t) report.duplicate_triangles += first_twins[t] != t;
   report.box = box_of(mesh);
   measure(mesh, report);

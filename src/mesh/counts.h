@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include "cdfr/mesh/audit.h"
+#include "core/scratch.h"
 #include "mesh/topology.h"
 #include "mesh/twins.h"
 
@@ -12,7 +13,8 @@ namespace cdfr {
 
 /// All of the report but touching triangles and turned shells. Precondition: `topology` is the mesh's. O(n
 /// log n).
-MeshReport counted(MeshView mesh, const Topology& topology, const std::vector<std::uint32_t>& first_twins);
+MeshReport counted(MeshView mesh, const Topology& topology, std::span<const std::uint32_t> first_twins,
+                   const Scratch* scratch = nullptr);
 
 /// Of the corners that triangles use; lo > hi if there are none.
 Box box_of(const MeshView& mesh) noexcept;

@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
-#include <vector>
+
+#include "core/scratch.h"
 
 namespace cdfr {
 
 /// The root of a set is its lowest member.
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t size) : parent_(size) {
+  explicit DisjointSets(std::size_t size, const Scratch* scratch = nullptr) : parent_(size, scratch) {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
   std::size_t root(std::size_t i) noexcept {
@@ -25,7 +26,7 @@ class DisjointSets {
   }
 
  private:
-  std::vector<std::size_t> parent_;
+  Large<std::size_t> parent_;
 };
 
 }  // namespace cdfr

@@ -8,22 +8,22 @@
 #include "mesh/shells.h"
 
 namespace cdfr {
-Result<Examined> examine(MeshView mesh, Progress& progress) {
+Result<Examined> examine(MeshView mesh, Progress& progress, const Scratch* scratch) {
   if (auto fault = mesh_fault(mesh)) return std::move(*fault);
-  Examined e;
-  e.topology = weld_topology(mesh);
+  Examined e(scratch);
+  e.topology = weld_topology(mesh, scratch);
   if (!progress.poll()) return Progress::error();
-  const std::vector<std::uint32_t> twins = first_twins(e.topology);
-  e.report = counted(mesh, e.topology, twins);
+  const Large<std::uint32_t> twins = first_twins(e.topology, scratch);
+  e.report = counted(mesh, e.topology, twins, scratch);
   if (!progress.poll()) return Progress::error();
-  BvhAndOrder tree = build_bvh(mesh);
+  BvhAndOrder tree = build_bvh(mesh, scratch);
   e.bvh = std::move(tree.bvh);
   if (!progress.poll()) return Progress::error();
-  e.triangles = gather_triangles(mesh, e.topology, tree.order);
-  const std::vector<std::uint8_t> touching = self_contacts(e.space(), progress);
+  e.triangles = gather_triangles(mesh, e.topology, tree.order, scratch);
+  const Large<std::uint8_t> touching = self_contacts(e.space(), progress, scratch);
   if (progress.cancelled()) return Progress::error();
   for (const std::uint8_t touches : touching) e.report.touching_triangles += touches;
-  find_shells(e, twins, touching);
+  find_shells(e, twins, touching, scratch);
   return e;
 }
 

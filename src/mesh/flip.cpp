@@ -1,11 +1,9 @@
 #include "cdfr/mesh/flip.h"
 
-#include <utility>
+#include "mesh/flip_triangles.h"
 
 namespace cdfr {
 
-void flip(Mesh& mesh) noexcept {
-  for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
-}
+void flip(Mesh& mesh) noexcept { flip_triangles(mesh.triangles); }
 
 }  // namespace cdfr

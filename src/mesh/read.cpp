@@ -32,23 +32,26 @@ Result<Mesh> unknown_format(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-Result<Mesh> read_mesh_bytes(std::span<const std::byte> bytes, std::string_view extension) {
-  if (begins_with(bytes, "glTF")) return read_gltf(bytes);
-  if (is_ply(bytes)) return read_ply(bytes);
-  if (is_binary_stl(bytes)) return read_stl_binary(bytes);
+MeshReader reader_of(std::span<const std::byte> bytes, std::string_view extension) {
+  if (begins_with(bytes, "glTF")) return read_gltf;
+  if (is_ply(bytes)) return read_ply;
+  if (is_binary_stl(bytes)) return read_stl_binary;
   const std::string_view word = first_word(bytes.first(std::min<std::size_t>(bytes.size(), 512)));
   if (equal_ignoring_case(word, "solid")) {
     const bool binary = bytes.size() >= 84 && has_zero_byte(bytes.first(84));
-    return binary ? read_stl_binary(bytes) : read_stl_ascii(bytes);
+    return binary ? read_stl_binary : read_stl_ascii;
   }
-  if (word.starts_with('{')) return read_gltf(bytes);
-  if (begins_with(bytes, "\x1f\x8b")) return unknown_format(bytes);
-  if (equal_ignoring_case(extension, ".stl")) return read_stl_binary(bytes);
-  if (equal_ignoring_case(extension, ".obj")) return read_obj(bytes);
-  if (equal_ignoring_case(extension, ".ply")) return read_ply(bytes);
-  if (equal_ignoring_case(extension, ".gltf") || equal_ignoring_case(extension, ".glb"))
-    return read_gltf(bytes);
-  return unknown_format(bytes);
+  if (word.starts_with('{')) return read_gltf;
+  if (begins_with(bytes, "\x1f\x8b")) return unknown_format;
+  if (equal_ignoring_case(extension, ".stl")) return read_stl_binary;
+  if (equal_ignoring_case(extension, ".obj")) return read_obj;
+  if (equal_ignoring_case(extension, ".ply")) return read_ply;
+  if (equal_ignoring_case(extension, ".gltf") || equal_ignoring_case(extension, ".glb")) return read_gltf;
+  return unknown_format;
+}
+
+Result<Mesh> read_mesh_bytes(std::span<const std::byte> bytes, std::string_view extension) {
+  return reader_of(bytes, extension)(bytes);
 }
 
 Result<Mesh> read_mesh(const std::filesystem::path& path) {

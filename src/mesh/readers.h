@@ -12,7 +12,11 @@
 
 namespace cdfr {
 
+using MeshReader = Result<Mesh> (*)(std::span<const std::byte> bytes);
+
 /// Tells the format by content; `extension` (".obj", any case, or empty) helps where the content cannot tell.
+/// Of bytes that are no mesh the reader says so.
+MeshReader reader_of(std::span<const std::byte> bytes, std::string_view extension);
 Result<Mesh> read_mesh_bytes(std::span<const std::byte> bytes, std::string_view extension);
 Result<std::vector<Vec3>> read_points_bytes(std::span<const std::byte> bytes);
 

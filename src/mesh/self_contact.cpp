@@ -56,8 +56,8 @@ struct GroupBoxes {
 };
 
 /// Lanes without a triangle overlap nothing.
-std::vector<GroupBoxes> boxes_of(const TriangleStore& triangles) {
-  std::vector<GroupBoxes> boxes(triangles.group_count());
+Large<GroupBoxes> boxes_of(const TriangleStore& triangles, const Scratch* scratch) {
+  Large<GroupBoxes> boxes(triangles.group_count(), scratch);
   for_chunks(boxes.size(), chunk_size, [&](std::size_t first, std::size_t end) {
     for (std::size_t g = first; g < end; ++g) {
       for (std::uint32_t lane = 0; lane < group_size; ++lane) {
@@ -75,7 +75,7 @@ std::vector<GroupBoxes> boxes_of(const TriangleStore& triangles) {
 /// slots of its own.
 class Search {
  public:
-  Search(SearchSpace space, const std::vector<GroupBoxes>& boxes, std::span<std::uint8_t> contacts,
+  Search(SearchSpace space, std::span<const GroupBoxes> boxes, std::span<std::uint8_t> contacts,
          std::size_t first_group) noexcept
       : space_(space), boxes_(boxes), contacts_(contacts), first_slot_(slot_of(first_group, 0)) {}
 
@@ -119,7 +119,7 @@ class Search {
   }
 
   SearchSpace space_;
-  const std::vector<GroupBoxes>& boxes_;
+  std::span<const GroupBoxes> boxes_;
   std::span<std::uint8_t> contacts_;
   std::uint32_t first_slot_;
   std::size_t group_ = 0;
@@ -129,9 +129,9 @@ class Search {
 
 }  // namespace
 
-std::vector<std::uint8_t> self_contacts(SearchSpace space, Progress& progress) {
-  const std::vector<GroupBoxes> boxes = boxes_of(space.triangles);
-  std::vector<std::uint8_t> contacts(space.triangles.size(), 0);
+Large<std::uint8_t> self_contacts(SearchSpace space, Progress& progress, const Scratch* scratch) {
+  const Large<GroupBoxes> boxes = boxes_of(space.triangles, scratch);
+  Large<std::uint8_t> contacts(space.triangles.size(), 0, scratch);
   for_chunks(boxes.size(), chunk_size, [&](std::size_t first, std::size_t end) {
     Search search(space, boxes, contacts, first);
     for (std::size_t group = first; group < end; ++group) {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "core/progress.h"
+#include "core/scratch.h"
 #include "mesh/bvh.h"
 
 namespace cdfr {
@@ -17,6 +17,6 @@ namespace cdfr {
 /// cross themselves everywhere; at worst the number of pairs of triangles whose boxes overlap, to which
 /// a vertex of degree k adds k^2. Runs in the caller's task arena and polls the progress; if that is
 /// cancelled, triangles that were not reached are 0. Precondition: the space is not empty.
-std::vector<std::uint8_t> self_contacts(SearchSpace space, Progress& progress);
+Large<std::uint8_t> self_contacts(SearchSpace space, Progress& progress, const Scratch* scratch = nullptr);
 
 }  // namespace cdfr

@@ -9,9 +9,9 @@ namespace {
 
 /// By triangle number: 1 if it has an area of its own that no other one meets but at shared edges and
 /// corners.
-std::vector<std::uint8_t> clean_triangles(const Examined& mesh, const std::vector<std::uint32_t>& first_twins,
-                                          const std::vector<std::uint8_t>& touching) {
-  std::vector<std::uint8_t> clean(first_twins.size());
+Large<std::uint8_t> clean_triangles(const Examined& mesh, std::span<const std::uint32_t> first_twins,
+                                    std::span<const std::uint8_t> touching, const Scratch* scratch) {
+  Large<std::uint8_t> clean(first_twins.size(), scratch);
   for (std::uint32_t slot = 0; slot < clean.size(); ++slot) {
     const bool flat = rounded(mesh.triangles.shape(slot).normal) == Vec3{};
     clean[mesh.triangles.records[slot].number] = !flat && !touching[slot];
@@ -23,7 +23,7 @@ std::vector<std::uint8_t> clean_triangles(const Examined& mesh, const std::vecto
 }
 
 /// An edge is plain if just two triangles use it, in opposite directions, and both are clean.
-void find_plain_edges(Examined& mesh, const std::vector<std::uint8_t>& clean, DisjointSets& shells) {
+void find_plain_edges(Examined& mesh, std::span<const std::uint8_t> clean, DisjointSets& shells) {
   const Topology& topology = mesh.topology;
   mesh.plain_edges.assign(topology.edges.size(), 0);
   for (std::uint32_t e = 0; e < topology.edges.size(); ++e) {
@@ -36,9 +36,9 @@ void find_plain_edges(Examined& mesh, const std::vector<std::uint8_t>& clean, Di
 }
 
 /// A vertex is plain if its triangles form one fan with plain edges all round.
-void find_plain_vertices(Examined& mesh) {
+void find_plain_vertices(Examined& mesh, const Scratch* scratch) {
   const Topology& topology = mesh.topology;
-  DisjointSets fans(3 * topology.triangles.size());
+  DisjointSets fans(3 * topology.triangles.size(), scratch);
   mesh.plain_vertices.assign(topology.vertex_count, 1);
   for (std::uint32_t e = 0; e < topology.edges.size(); ++e) {
     const auto uses = topology.uses_of(e);
@@ -50,7 +50,7 @@ void find_plain_vertices(Examined& mesh) {
       }
     }
   }
-  std::vector<std::uint8_t> met(topology.vertex_count, 0);
+  Large<std::uint8_t> met(topology.vertex_count, 0, scratch);
   for (std::size_t c = 0; c < 3 * topology.triangles.size(); ++c) {
     if (fans.root(c) != c) continue;
     const std::uint32_t vertex = topology.triangles[c / 3][c % 3];
@@ -66,21 +66,21 @@ Sides sides_of(int winding_in_front) noexcept {
 
 }  // namespace
 
-void find_shells(Examined& mesh, const std::vector<std::uint32_t>& first_twins,
-                 const std::vector<std::uint8_t>& touching) {
-  const std::vector<std::uint8_t> clean = clean_triangles(mesh, first_twins, touching);
-  std::vector<std::uint32_t> slot_of(clean.size());
+void find_shells(Examined& mesh, std::span<const std::uint32_t> first_twins,
+                 std::span<const std::uint8_t> touching, const Scratch* scratch) {
+  const Large<std::uint8_t> clean = clean_triangles(mesh, first_twins, touching, scratch);
+  Large<std::uint32_t> slot_of(clean.size(), scratch);
   for (std::uint32_t slot = 0; slot < clean.size(); ++slot)
     slot_of[mesh.triangles.records[slot].number] = slot;
-  DisjointSets shells(clean.size());
+  DisjointSets shells(clean.size(), scratch);
   find_plain_edges(mesh, clean, shells);
-  find_plain_vertices(mesh);
+  find_plain_vertices(mesh, scratch);
   if (!mesh.report.balanced()) return;
-  std::vector<std::uint32_t> roots;
+  Large<std::uint32_t> roots(scratch);
   for (std::uint32_t number = 0; number < clean.size(); ++number) {
     if (clean[number] != 0 && shells.root(number) == number) roots.push_back(slot_of[number]);
   }
-  std::vector<int> winding(roots.size());
+  Large<int> winding(roots.size(), scratch);
   for_chunks(roots.size(), 1,
              [&](std::size_t i, std::size_t) { winding[i] = winding_in_front(roots[i], mesh.space()); });
   const std::span<TriangleRecord> records = mesh.triangles.records.edit();

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include "mesh/examine.h"
 
@@ -12,7 +12,7 @@ namespace cdfr {
 /// Fills in plain_edges and plain_vertices, and for a balanced mesh the sides of each triangle and
 /// turned_shells. `touching` is self_contacts' by slot. O(n log n) and one count of crossings a shell. Runs
 /// in the caller's arena.
-void find_shells(Examined& mesh, const std::vector<std::uint32_t>& first_twins,
-                 const std::vector<std::uint8_t>& touching);
+void find_shells(Examined& mesh, std::span<const std::uint32_t> first_twins,
+                 std::span<const std::uint8_t> touching, const Scratch* scratch = nullptr);
 
 }  // namespace cdfr

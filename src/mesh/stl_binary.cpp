@@ -1,5 +1,8 @@
 // Binary STL: 80 bytes of anything, a count, and 50 bytes a triangle (normal, three corners, attribute),
 // little endian.
+#include "mesh/stl_binary.h"
+
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -49,7 +52,7 @@ bool is_binary_stl(std::span<const std::byte> bytes) noexcept {
   return bytes.size() >= header_size && bytes.size() == size_for(triangle_count(bytes));
 }
 
-Result<Mesh> read_stl_binary(std::span<const std::byte> bytes) {
+Result<std::uint64_t> count_stl_binary(std::span<const std::byte> bytes) {
   if (bytes.size() < header_size) {
     return Error{Code::file_truncated, bytes.size(),
                  "binary STL needs " + std::to_string(header_size) +
@@ -62,17 +65,31 @@ Result<Mesh> read_stl_binary(std::span<const std::byte> bytes) {
                  "binary STL has " + std::to_string(count) + " triangles, more than " +
                      std::to_string(most_triangles)};
   }
-  Mesh mesh;
-  mesh.vertices.resize(3 * count);
-  mesh.triangles.resize(count);
-  for (std::uint64_t t = 0; t < count; ++t) {
-    if (!read_corners(bytes.data() + size_for(t), &mesh.vertices[3 * t])) {
+  return count;
+}
+
+Result<void> read_stl_triangles(std::span<const std::byte> bytes, std::uint64_t first,
+                                std::span<Triangle> triangles, std::span<Vec3> vertices) {
+  assert(size_for(first + triangles.size()) <= bytes.size() && vertices.size() == 3 * triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const std::uint64_t t = first + i;
+    if (!read_corners(bytes.data() + size_for(t), &vertices[3 * i])) {
       return Error{Code::not_finite, t,
                    "triangle " + std::to_string(t) + " " + coordinate_fault_text(Code::not_finite)};
     }
-    const auto first = static_cast<std::uint32_t>(3 * t);
-    mesh.triangles[t] = {first, first + 1, first + 2};
+    const auto corner = static_cast<std::uint32_t>(3 * t);
+    triangles[i] = {corner, corner + 1, corner + 2};
   }
+  return {};
+}
+
+Result<Mesh> read_stl_binary(std::span<const std::byte> bytes) {
+  const Result<std::uint64_t> count = count_stl_binary(bytes);
+  if (!count) return count.error();
+  Mesh mesh;
+  mesh.vertices.resize(3 * *count);
+  mesh.triangles.resize(*count);
+  if (auto read = read_stl_triangles(bytes, 0, mesh.triangles, mesh.vertices); !read) return read.error();
   return mesh;
 }
 

@@ -39,14 +39,14 @@ void sort_run(const Points& vertices, std::span<Hashed> run) {
 }
 
 /// All vertices by hash, then number: filed by the high bits of the hash, and each file sorted by itself.
-std::vector<Hashed> sorted_by_hash(const Points& vertices) {
+Large<Hashed> sorted_by_hash(const Points& vertices, const Scratch* scratch) {
   const std::size_t files = std::bit_floor(vertices.size() / 4 + 1);
   const int shift = 64 - static_cast<int>(std::bit_width(files - 1));
   const auto file_of = [&](std::uint64_t hash) { return shift == 64 ? 0 : hash >> shift; };
-  std::vector<std::uint64_t> starts(files + 1, 0);
+  Large<std::uint64_t> starts(files + 1, 0, scratch);
   for (std::size_t i = 0; i < vertices.size(); ++i) ++starts[file_of(hash_of(vertices[i])) + 1];
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  std::vector<Hashed> items(vertices.size());
+  Large<Hashed> items(vertices.size(), scratch);
   auto next = starts;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const std::uint64_t hash = hash_of(vertices[i]);
@@ -63,9 +63,9 @@ std::vector<Hashed> sorted_by_hash(const Points& vertices) {
 }
 
 /// For each vertex the lowest vertex number with the same position.
-std::vector<std::uint32_t> lowest_equal(const Points& vertices) {
-  std::vector<Hashed> items = sorted_by_hash(vertices);
-  std::vector<std::uint32_t> lowest(items.size());
+Large<std::uint32_t> lowest_equal(const Points& vertices, const Scratch* scratch) {
+  Large<Hashed> items = sorted_by_hash(vertices, scratch);
+  Large<std::uint32_t> lowest(items.size(), scratch);
   for (std::size_t start = 0; start < items.size();) {
     std::size_t end = start + 1;
     while (end < items.size() && items[end].hash == items[start].hash) ++end;
@@ -81,9 +81,9 @@ std::vector<std::uint32_t> lowest_equal(const Points& vertices) {
   return lowest;
 }
 
-void weld_corners(const MeshView& mesh, Topology& topology) {
-  const std::vector<std::uint32_t> lowest = lowest_equal(mesh.vertices);
-  std::vector<std::uint32_t> id(lowest.size(), no_index);
+void weld_corners(const MeshView& mesh, Topology& topology, const Scratch* scratch) {
+  const Large<std::uint32_t> lowest = lowest_equal(mesh.vertices, scratch);
+  Large<std::uint32_t> id(lowest.size(), no_index, scratch);
   topology.triangles.resize(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -104,7 +104,7 @@ struct Side {
 };
 
 template <class Visit>
-void for_each_side(const std::vector<Triangle>& triangles, Visit visit) {
+void for_each_side(std::span<const Triangle> triangles, Visit visit) {
   for (std::uint64_t t = 0; t < triangles.size(); ++t) {
     for (std::uint64_t k = 0; k < 3; ++k) {
       const std::uint32_t from = triangles[t][k], to = triangles[t][(k + 1) % 3];
@@ -115,14 +115,14 @@ void for_each_side(const std::vector<Triangle>& triangles, Visit visit) {
 
 /// The sides by low vertex, high vertex and corner; those of low vertex v are [starts[v], starts[v + 1]).
 struct SortedSides {
-  std::vector<std::uint64_t> starts;
-  std::vector<Side> sides;
+  Large<std::uint64_t> starts;
+  Large<Side> sides;
 };
 
-SortedSides sort_sides(const Topology& topology) {
-  SortedSides sorted;
+SortedSides sort_sides(const Topology& topology, const Scratch* scratch) {
+  SortedSides sorted{Large<std::uint64_t>(std::size_t{topology.vertex_count} + 1, 0, scratch),
+                     Large<Side>(scratch)};
   auto& starts = sorted.starts;
-  starts.assign(std::size_t{topology.vertex_count} + 1, 0);
   for_each_side(topology.triangles, [&](std::uint32_t low, const Side&) { ++starts[low + 1]; });
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   sorted.sides.resize(starts.back());
@@ -145,8 +145,8 @@ void add_side(std::uint32_t low, const Side& side, bool is_new_edge, Topology& t
   topology.uses.push_back({triangle, topology.triangles[triangle][k] == low});
 }
 
-void join_edges(Topology& topology) {
-  const auto [starts, sides] = sort_sides(topology);
+void join_edges(Topology& topology, const Scratch* scratch) {
+  const auto [starts, sides] = sort_sides(topology, scratch);
   topology.edges_of.assign(topology.triangles.size(), {no_index, no_index, no_index});
   topology.edges.reserve(sides.size() / 2);
   topology.uses.reserve(sides.size());
@@ -159,10 +159,10 @@ void join_edges(Topology& topology) {
 
 }  // namespace
 
-Topology weld_topology(MeshView mesh) {
-  Topology topology;
-  weld_corners(mesh, topology);
-  join_edges(topology);
+Topology weld_topology(MeshView mesh, const Scratch* scratch) {
+  Topology topology(scratch);
+  weld_corners(mesh, topology, scratch);
+  join_edges(topology, scratch);
   return topology;
 }
 

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "cdfr/mesh/mesh.h"
+#include "core/scratch.h"
 
 namespace cdfr {
 
@@ -23,10 +23,14 @@ struct Topology {
     std::uint64_t first_use = 0;              ///< its uses are uses[first_use] .. of the next edge
   };
 
-  std::vector<Triangle> triangles;  ///< welded: every corner is an id in 0 .. vertex_count - 1
-  std::vector<Triangle> edges_of;   ///< edge ids; edge k of a triangle joins its corners k and (k + 1) % 3
-  std::vector<Edge> edges;  ///< sorted by vertices; a collapsed edge (v, v) is no edge: no_index in edges_of
-  std::vector<Use> uses;    ///< grouped by edge, ascending by triangle
+  Topology() = default;
+  explicit Topology(const Scratch* scratch)
+      : triangles(scratch), edges_of(scratch), edges(scratch), uses(scratch) {}
+
+  Large<Triangle> triangles;  ///< welded: every corner is an id in 0 .. vertex_count - 1
+  Large<Triangle> edges_of;   ///< edge ids; edge k of a triangle joins its corners k and (k + 1) % 3
+  Large<Edge> edges;  ///< sorted by vertices; a collapsed edge (v, v) is no edge: no_index in edges_of
+  Large<Use> uses;    ///< grouped by edge, ascending by triangle
   std::uint32_t vertex_count = 0;
 
   /// True if two corners are equal: the triangle has no place among the edges.
@@ -49,6 +53,6 @@ struct Topology {
 
 /// Precondition: indices are in range and coordinates finite. Welded ids are numbered by first use in
 /// triangle order. O(n log n), deterministic.
-Topology weld_topology(MeshView mesh);
+Topology weld_topology(MeshView mesh, const Scratch* scratch = nullptr);
 
 }  // namespace cdfr

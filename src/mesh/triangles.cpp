@@ -22,10 +22,10 @@ TriangleGroup TriangleStore::group(std::uint32_t number) const noexcept {
   return group;
 }
 
-TriangleStore gather_triangles(MeshView mesh, const Topology& topology,
-                               const std::vector<std::uint32_t>& order) {
-  std::vector<ExactTriangle> exact(order.size());
-  std::vector<TriangleRecord> records(order.size());
+TriangleStore gather_triangles(MeshView mesh, const Topology& topology, std::span<const std::uint32_t> order,
+                               const Scratch* scratch) {
+  Large<ExactTriangle> exact(order.size(), scratch);
+  Large<TriangleRecord> records(order.size(), scratch);
   constexpr std::size_t chunk = 1024;
   for_chunks(order.size(), chunk, [&](std::size_t first, std::size_t end) {
     for (std::size_t slot = first; slot < end; ++slot) {

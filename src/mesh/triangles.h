@@ -3,10 +3,11 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include "cdfr/core/types.h"
 #include "core/array.h"
+#include "core/scratch.h"
 #include "geometry/point_triangle.h"
 #include "geometry/triangle_group.h"
 #include "mesh/topology.h"
@@ -58,7 +59,7 @@ struct TriangleStore {
 };
 
 /// Shapes and records by slot: `order` gives the triangles' numbers.
-TriangleStore gather_triangles(MeshView mesh, const Topology& topology,
-                               const std::vector<std::uint32_t>& order);
+TriangleStore gather_triangles(MeshView mesh, const Topology& topology, std::span<const std::uint32_t> order,
+                               const Scratch* scratch = nullptr);
 
 }  // namespace cdfr

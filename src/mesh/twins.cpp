@@ -6,10 +6,10 @@
 
 namespace cdfr {
 
-std::vector<std::uint32_t> first_twins(const Topology& topology) {
-  std::vector<std::uint32_t> first(topology.triangles.size());
+Large<std::uint32_t> first_twins(const Topology& topology, const Scratch* scratch) {
+  Large<std::uint32_t> first(topology.triangles.size(), scratch);
   std::iota(first.begin(), first.end(), 0U);
-  std::vector<std::pair<Triangle, std::uint32_t>> sorted;
+  Large<std::pair<Triangle, std::uint32_t>> sorted(scratch);
   sorted.reserve(first.size());
   for (const std::uint32_t t : first) {
     if (topology.collapsed(t)) continue;

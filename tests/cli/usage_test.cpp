@@ -48,6 +48,9 @@ TEST_F(UsageTest, WrongUsageIsStatusTwoAndOneLine) {
       {"make-part", "cube"},
       {"make-part", "sprocket", "-o", path("s.stl")},
       {"make-part", "cube", "-o", path("cube.step")},
+      {"make-part", "cube", "-o", path("cubes.stl"), "--copies", "0"},
+      {"make-part", "cube", "-o", path("cubes.stl"), "--copies", "1e3"},
+      {"make-part", "cube", "-o", path("cubes.stl"), "--copies", "1000000000"},
   };
   for (const auto& arguments : wrong) {
     std::string said;

@@ -20,7 +20,7 @@ Mesh same_place(std::size_t count) {
 
 void expect_sound(const Mesh& mesh) {
   const BvhAndOrder tree = build_bvh(mesh.view());
-  std::vector<std::uint32_t> sorted = tree.order;
+  std::vector<std::uint32_t> sorted(tree.order.begin(), tree.order.end());
   std::sort(sorted.begin(), sorted.end());
   std::vector<std::uint32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0U);

@@ -32,7 +32,7 @@ std::vector<std::uint8_t> contacts_of(const Mesh& mesh, unsigned threads = 1) {
   const Prepared prepared(mesh);
   const Run run{threads, nullptr, nullptr};
   Progress progress(run);
-  std::vector<std::uint8_t> by_slot;
+  Large<std::uint8_t> by_slot;
   with_threads(run, [&] { by_slot = self_contacts(prepared.space(), progress); });
   EXPECT_EQ(by_slot.size(), mesh.triangles.size());
   std::vector<std::uint8_t> result(by_slot.size());

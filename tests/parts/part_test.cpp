@@ -109,6 +109,51 @@ INSTANTIATE_TEST_SUITE_P(Table1, TableRow,
                                              {0.5, star_radius - 1, 0},
                                              3 * root3*(1 - 2.0 / 192)}));
 
+TEST(Part, CopiesStandSideBySideAndKeepTheirShape) {
+  constexpr std::uint64_t copies = 3;
+  for (const std::string_view name : part_names()) {
+    const Mesh one = make_part(name).value(), all = make_part(name, copies).value();
+    const MeshCheck single = check_mesh(one), check = check_mesh(all);
+    EXPECT_EQ(check.lone_edges, 0U) << name;
+    EXPECT_EQ(check.repeated_edges, 0U) << name;
+    EXPECT_EQ(check.pinched, 0U) << name;
+    EXPECT_EQ(check.components, copies) << name;
+    EXPECT_NEAR(check.volume, copies * single.volume, 1e-11 * check.volume) << name;
+    ASSERT_EQ(all.triangles.size(), copies * one.triangles.size()) << name;
+    ASSERT_EQ(all.vertices.size(), copies * one.vertices.size()) << name;
+
+    EXPECT_EQ(single.box.lo.x, 0) << name;
+    const double width = single.box.hi.x;
+    const double step = (check.box.hi.x - width) / (copies - 1);
+    EXPECT_GE(step, 1.1 * width) << name;
+    EXPECT_LE(step, 1.1 * width + 0x1p-10) << name;
+    for (std::size_t i = 0; i < all.vertices.size(); ++i) {
+      const Vec3 v = all.vertices[i], first = one.vertices[i % one.vertices.size()];
+      const double x = v.x - step * static_cast<double>(i / one.vertices.size());
+      ASSERT_EQ((Vec3{x, v.y, v.z}), first) << name;
+    }
+  }
+}
+
+TEST(Part, AFarCopyKeepsItsShape) {
+  const Mesh one = make_part("one-tooth").value(), all = make_part("one-tooth", 100000).value();
+  const double step = all.vertices[one.vertices.size()].x;
+  for (std::size_t i = 0; i < one.vertices.size(); ++i) {
+    EXPECT_EQ(all.vertices[all.vertices.size() - one.vertices.size() + i].x - 99999 * step,
+              one.vertices[i].x);
+  }
+}
+
+TEST(Part, TooFewOrTooManyCopiesAreNamedErrors) {
+  for (const std::uint64_t copies :
+       {std::uint64_t{0}, std::uint64_t{0xfffffffe / 12 + 1}, ~std::uint64_t{0}}) {
+    const Result<Mesh> result = make_part("cube", copies);
+    ASSERT_FALSE(result) << copies;
+    EXPECT_EQ(result.error().code, Code::bad_option);
+  }
+  EXPECT_NE(make_part("cube", 1000000000).error().text.find("357913941 copies of cube"), std::string::npos);
+}
+
 TEST(Part, EveryCallGivesTheSameBits) {
   for (const std::string_view name : part_names()) {
     const Mesh first = make_part(name).value();

@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -6,6 +7,7 @@
 #include "cdfr/parts/part.h"
 #include "interrupt.h"
 #include "json_report.h"
+#include "number_option.h"
 #include "number_text.h"
 #include "output_target.h"
 #include "settings.h"
@@ -18,6 +20,7 @@ namespace {
 
 struct Arguments {
   std::string name, output;
+  std::uint64_t copies = 1;
   Settings settings;
 };
 
@@ -29,7 +32,7 @@ std::string known_names() {
 
 void write_part(const Arguments& arguments) {
   check_target(arguments.output, {".stl", ".ply", ".obj"});
-  const Mesh mesh = need(make_part(arguments.name), arguments.output);
+  const Mesh mesh = need(make_part(arguments.name, arguments.copies), arguments.output);
   const std::size_t triangles = mesh.triangles.size(), vertices = mesh.vertices.size();
   {
     const DeferInterrupts defer;
@@ -39,6 +42,7 @@ void write_part(const Arguments& arguments) {
   if (arguments.settings.json) {
     Json report = begin_report("", arguments.settings.unit);
     report["part"] = arguments.name;
+    report["copies"] = arguments.copies;
     report["triangles"] = triangles;
     report["vertices"] = vertices;
     report["output"] = arguments.output;
@@ -58,6 +62,8 @@ void add_make_part(CLI::App& program) {
   verb->add_option("-o,--output", arguments->output, "Mesh to write (.stl, .ply, .obj)")
       ->required()
       ->type_name("FILE");
+  add_count(*verb, "--copies", arguments->copies, 1, no_index - 1,
+            "So many side by side along x, as one mesh");
   add_report_options(*verb, arguments->settings);
   add_unit_option(*verb, arguments->settings);
   verb->footer("Example:\n  cdfr make-part cylinder-head -o head.stl");
