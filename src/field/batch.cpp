@@ -100,7 +100,7 @@ class Distances {
     const std::size_t count = p.candidates.count;
     if (!p.in_leaf) {
       out_[place] = signed_distance(field_, p.x);
-    } else if (!p.candidates.complete || count > Contests::most || p.query.scale != 1) {
+    } else if (!p.candidates.complete || count - 1 >= Contests::most || p.query.scale != 1) {
       out_[place] = signed_distance(field_, p.query, finding_of(field_, p));
     } else {
       (count == 1 ? alone_ : several_)

@@ -15,15 +15,6 @@
 namespace cdfr {
 namespace {
 
-std::optional<Error> refused(const BuildOptions& options) {
-  const auto bad = [](const char* text) { return Error{Code::bad_option, 0, text}; };
-  if (!(options.margin >= 0 && options.margin <= 1)) return bad("margin must be 0 to 1");
-  if (options.max_triangles_per_leaf < 1) return bad("max_triangles_per_leaf must be at least 1");
-  if (options.max_level < 0 || options.max_level > deepest_level) return bad("max_level must be 0 to 18");
-  if (!(options.gain > 0)) return bad("gain must be above 0");
-  return std::nullopt;
-}
-
 /// With lists as long as the expected queries want them.
 BuildOptions resolved(BuildOptions options, std::uint64_t triangles) {
   if (options.expected_queries > 0)
@@ -33,6 +24,15 @@ BuildOptions resolved(BuildOptions options, std::uint64_t triangles) {
 }
 
 }  // namespace
+
+std::optional<Error> refused(const BuildOptions& options) {
+  const auto bad = [](const char* text) { return Error{Code::bad_option, 0, text}; };
+  if (!(options.margin >= 0 && options.margin <= 1)) return bad("margin must be 0 to 1");
+  if (options.max_triangles_per_leaf < 1) return bad("max_triangles_per_leaf must be at least 1");
+  if (options.max_level < 0 || options.max_level > deepest_level) return bad("max_level must be 0 to 18");
+  if (!(options.gain > 0)) return bad("gain must be above 0");
+  return std::nullopt;
+}
 
 void derive_far_side(FieldData& field) noexcept {
   field.far_side = 0;
@@ -48,10 +48,10 @@ void count_leaves(FieldData& field) {
   }
 }
 
-void lay_lattice(FieldData& field) {
+void lay_lattice(FieldData& field, const Scratch* scratch) {
   field.tree.lattice = lattice_for(field.bounds(), field.options.margin);
   const Lattice& lattice = field.tree.lattice;
-  std::vector<ScanGroup> groups(field.triangles.group_count());
+  Large<ScanGroup> groups(field.triangles.group_count(), scratch);
   for_chunks(groups.size(), 1024, [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i)
       groups[i] =
@@ -60,9 +60,10 @@ void lay_lattice(FieldData& field) {
   field.scan_groups = std::move(groups);
 }
 
-Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options, Progress& progress) {
+Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options, Progress& progress,
+                                const Scratch* scratch) {
   const FloatingEnvironment environment;
-  Result<Examined> examined = examine(mesh, progress);
+  Result<Examined> examined = examine(mesh, progress, scratch);
   if (!examined) return examined.error();
   FieldData field;
   field.options = resolved(options, mesh.triangles.size());
@@ -75,11 +76,12 @@ Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options, Prog
     const std::span<const std::uint8_t> all, edges = examined->plain_edges,
                                              vertices = examined->plain_vertices;
     field.pseudonormals = pseudonormals(field.triangles, examined->topology.edges.size(),
-                                        field.report.vertices, naive ? all : edges, naive ? all : vertices);
+                                        field.report.vertices, naive ? all : edges, naive ? all : vertices,
+                      scratch);
   }
   derive_far_side(field);
   if (field.sign == Sign::winding && !field.report.balanced())
-    field.winding = build_winding_tree(field.space(), field.pseudonormals.edges.size());
+    field.winding = build_winding_tree(field.space(), field.pseudonormals.edges.size(), scratch);
   return field;
 }
 

@@ -1,15 +1,21 @@
 /// From a mesh to what a field is made of.
 #pragma once
 
+#include <optional>
+
 #include "cdfr/core/result.h"
 #include "core/progress.h"
+#include "core/scratch.h"
 #include "field/field_data.h"
 
 namespace cdfr {
 
-/// Everything but the octree: enough for brute force. Resolves Sign::automatic. Runs in the caller's task
-/// arena.
-Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options, Progress& progress);
+/// Everything but the octree: enough for brute force. Resolves Sign::automatic. What is large lies in the
+/// scratch, which must outlive it. Runs in the caller's task arena.
+Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options, Progress& progress,
+                                const Scratch* scratch = nullptr);
+/// What is out of its range.
+std::optional<Error> refused(const BuildOptions& options);
 
 Result<FieldData> build_field(MeshView mesh, const BuildOptions& options, const Run& run);
 
@@ -18,6 +24,6 @@ void derive_far_side(FieldData& field) noexcept;
 /// first_leaf, from the blocks.
 void count_leaves(FieldData& field);
 /// The lattice, and the groups that depend on it. Runs in the caller's task arena.
-void lay_lattice(FieldData& field);
+void lay_lattice(FieldData& field, const Scratch* scratch = nullptr);
 
 }  // namespace cdfr

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cdfr {
 namespace {
@@ -87,6 +88,14 @@ bool Race::same_feature(TrianglePlace place, const TriangleRecord& record) const
 }
 
 Finding Race::finding() const noexcept {
+  if (flat_.slot == no_index && proper_.winner.slot == no_index) {
+    // Nobody came: a forged file may say that there is nobody near. No distance then.
+    Finding none;
+    none.winner.foot.squared.hi = std::numeric_limits<double>::quiet_NaN();
+    none.winner.slot = 0;
+    none.winner.number = triangles_.records[0].number;
+    return none;
+  }
   if (flat_.slot == no_index) return proper_;
   const Winner& proper = proper_.winner;
   // The kernel is within 2^-93 R of the truth, and R is at most 4 times the size.

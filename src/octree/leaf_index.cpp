@@ -23,12 +23,12 @@ double power_below(std::uint32_t k) noexcept { return std::bit_cast<double>(std:
 /// Copies the octree's nodes, top and blocks, into one array with one numbering of leaves.
 class LeafIndex::Maker {
  public:
-  explicit Maker(const Octree& tree) : tree_(tree) {}
+  Maker(const Octree& tree, const Scratch* scratch)
+      : tree_(tree), grid_(scratch), nodes_(scratch), leaves_(scratch) {}
 
   Tables made() {
     choose_grid();
     cover(Cell{}, entered({&tree_.top, tree_.top[0], 0}));
-    nodes_.shrink_to_fit();
     return {grid_level_, std::move(grid_), std::move(nodes_), std::move(leaves_)};
   }
 
@@ -48,6 +48,7 @@ class LeafIndex::Maker {
     while (grid_level_ < deepest_level && cubes << (3 * (grid_level_ + 1)) <= most) ++grid_level_;
     grid_.resize(cubes << (3 * grid_level_));
     leaves_.reserve(tree_.leaves.size());
+    nodes_.reserve(tree_.nodes.size());  // more only by what is above the grid
   }
 
   bool in_no_block(const At& at) const noexcept {
@@ -102,13 +103,13 @@ class LeafIndex::Maker {
 
   const Octree& tree_;
   int grid_level_ = 0;
-  std::vector<TreeNode> grid_, nodes_;
-  std::vector<Leaf> leaves_;
+  Large<TreeNode> grid_, nodes_;
+  Large<Leaf> leaves_;
   std::uint64_t first_entry_ = 0;
 };
 
-LeafIndex::LeafIndex(const Octree& tree)
-    : LeafIndex(tree, tree.blocks.empty() ? Tables{} : Maker(tree).made()) {}
+LeafIndex::LeafIndex(const Octree& tree, const Scratch* scratch)
+    : LeafIndex(tree, tree.blocks.empty() ? Tables{} : Maker(tree, scratch).made()) {}
 
 LeafIndex::LeafIndex(const Octree& tree, Tables tables)
     : origin_(tree.lattice.origin), scale_(1 / tree.lattice.edge), tables_(std::move(tables)) {

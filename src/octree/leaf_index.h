@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cdfr/core/types.h"
+#include "core/scratch.h"
 #include "octree/blocks.h"
 
 namespace cdfr {
@@ -43,8 +44,8 @@ class LeafIndex {
   };
 
   LeafIndex() = default;
-  /// Of leaves whose sides are set. Shares the octree's entries.
-  explicit LeafIndex(const Octree& tree);
+  /// Of leaves whose sides are set. Shares the octree's entries; the tables lie in the scratch.
+  explicit LeafIndex(const Octree& tree, const Scratch* scratch = nullptr);
   /// Of tables that were made from that octree before.
   LeafIndex(const Octree& tree, Tables tables);
 

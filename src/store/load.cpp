@@ -78,8 +78,11 @@ Result<format::Counts> checked_counts(Bytes bytes, const format::Head& head) {
   return counts;
 }
 
+/// A field, or one whose octree is not built yet.
+enum class Stage { built, prepared };
+
 /// One for each triangle, group, node or leaf, where there should be.
-bool add_up(const format::Counts& c, const format::Settings& s, const MeshReport& report) {
+bool add_up(const format::Counts& c, const format::Settings& s, const MeshReport& report, Stage stage) {
   const std::uint64_t triangles = c[format::triangles], groups = (triangles + group_size - 1) / group_size;
   const std::uint64_t nodes = 2 * groups - 1, leaves = c[format::index_leaves];
   if (triangles == 0 || triangles >= no_index || c[format::records] != triangles ||
@@ -89,6 +92,8 @@ bool add_up(const format::Counts& c, const format::Settings& s, const MeshReport
   if (sign != Sign::none && c[format::vertex_normals] != report.vertices) return false;
   if (sign == Sign::none && c[format::vertex_normals] + c[format::edge_normals] != 0) return false;
   const std::uint64_t cubes = std::uint64_t{s.bricks[0]} * s.bricks[1] * s.bricks[2];
+  if (stage == Stage::prepared && c[format::top] + c[format::block_sizes] + c[format::block_nodes] + leaves == 0)
+    return c[format::winding_nodes] == (sign == Sign::winding && !report.balanced() ? nodes : 0);
   if (leaves == 0 || s.index_level > 16 || c[format::index_grid] != cubes << (3 * s.index_level) ||
       c[format::block_leaves] != leaves || c[format::top] == 0 || c[format::block_sizes] == 0)
     return false;
@@ -133,7 +138,7 @@ Arrays arrays_in(Bytes bytes, const format::Counts& counts, const std::shared_pt
 }
 
 Result<StoredField> field_of(const Arrays& arrays, const format::Counts& counts,
-                             std::shared_ptr<const GuardedMap> map) {
+                             std::shared_ptr<const GuardedMap> map, Stage stage) {
   const auto refused = [&](const char* what) -> Error {
     if (map != nullptr && map->failed()) return map->status().error();
     return refusal(format::first_section, what);
@@ -141,7 +146,7 @@ Result<StoredField> field_of(const Arrays& arrays, const format::Counts& counts,
   if (counts[format::settings] != 1 || counts[format::report] != 1) return refused("settings: not one");
   if (!good_settings(arrays.settings[0])) return refused("settings: out of range");
   if (counts[format::levels] > deepest_level + 1) return refused("levels: too many");
-  if (!add_up(counts, arrays.settings[0], arrays.report[0]))
+  if (!add_up(counts, arrays.settings[0], arrays.report[0], stage))
     return refused("directory: counts do not add up");
   FieldData field;
   if (!take_arrays(arrays, field)) return refused("block_sizes: do not add up");
@@ -161,7 +166,7 @@ Result<StoredField> load_whole(const std::shared_ptr<const Large<Aligned>>& memo
   const FileCheck check(bytes, *counts);
   if (const std::size_t bad = check.first_bad(); bad < size)
     return refusal(bad, check.place_text(bad) + ": damaged");
-  return field_of(arrays_in(bytes, *counts, memory), *counts, nullptr);
+  return field_of(arrays_in(bytes, *counts, memory), *counts, nullptr, Stage::built);
 }
 
 }  // namespace
@@ -178,7 +183,9 @@ Result<OpenedFile> OpenedFile::open(const std::filesystem::path& path) {
   return OpenedFile{*map, *head, *counts, std::make_shared<const FileCheck>(bytes, *counts)};
 }
 
-Result<StoredField> load(const std::filesystem::path& path) {
+namespace {
+
+Result<StoredField> load_stage(const std::filesystem::path& path, Stage stage) {
   Result<OpenedFile> file = OpenedFile::open(path);
   if (!file) return file.error();
   if (file->head.packing == 1) {
@@ -193,7 +200,15 @@ Result<StoredField> load(const std::filesystem::path& path) {
   const auto owner = std::make_shared<const Owner>(Owner{file->check, file->map});
   const Bytes bytes = file->map->guard(*file->check);
   std::shared_ptr<const GuardedMap> map(owner, file->map.get());
-  return field_of(arrays_in(bytes, file->counts, owner), file->counts, std::move(map));
+  return field_of(arrays_in(bytes, file->counts, owner), file->counts, std::move(map), stage);
+}
+
+}  // namespace
+
+Result<StoredField> load(const std::filesystem::path& path) { return load_stage(path, Stage::built); }
+
+Result<StoredField> load_prepared(const std::filesystem::path& path) {
+  return load_stage(path, Stage::prepared);
 }
 
 }  // namespace cdfr

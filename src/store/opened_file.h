@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cdfr/core/result.h"
+#include "cdfr/store/store.h"
 #include "core/guarded_map.h"
 #include "store/file_check.h"
 #include "store/format.h"
@@ -20,5 +21,8 @@ struct OpenedFile {
   /// Errors: file_open, file_format, file_version, file_truncated.
   static Result<OpenedFile> open(const std::filesystem::path& path);
 };
+
+/// load() of a file whose octree has no block yet: part of a build that was interrupted.
+Result<StoredField> load_prepared(const std::filesystem::path& path);
 
 }  // namespace cdfr

@@ -80,6 +80,16 @@ class StoreForged : public StoreTest {
     static_cast<void>(field.checksum());
     for (std::size_t i = 0; i < field.leaf_count(); i += 1 + field.leaf_count() / 8)
       static_cast<void>(field.leaf(i));
+    std::vector<Vec3> points;
+    for (int i = 0; i < 70; ++i) points.push_back(random.in({{-1.5, -1.5, -1.5}, {1.5, 1.5, 1.5}}));
+    std::vector<double> distances(points.size());
+    static_cast<void>(field.distance(Points(points), distances));
+    Grid grid;
+    grid.origin = {-1.2, -1.2, -1.2};
+    grid.spacing = {0.3, 0.3, 0.3};
+    grid.size = {9, 9, 9};
+    std::vector<double> samples(grid.count());
+    static_cast<void>(field.distance(grid, samples));
     return !std::isnan(field.distance({0.1, 0.2, 0.3}));
   }
 };

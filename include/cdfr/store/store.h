@@ -24,9 +24,9 @@ struct StoredField {
 };
 
 /// Written to a temporary file beside it, synced, renamed: the file is whole or not there. Errors: file_write; and
-/// the field's own status(), if it came from a file.
+/// the field's own status(), if it came from a file; cancelled.
 CDFR_API Result<void> save(const Field& field, const std::filesystem::path& path, const std::string& unit = "",
-                           Packing packing = Packing::none);
+                           Packing packing = Packing::none, const Run& run = {});
 
 /// Maps the file and looks at its head alone: O(blocks), whatever its size. The rest is checked block by block when a
 /// query first reads it (Field::status). Errors: file_open, file_format, file_version, file_truncated, each with the
