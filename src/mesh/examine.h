@@ -26,9 +26,10 @@ struct Examined {
   SearchSpace space() const noexcept { return {triangles, bvh}; }
 };
 
-/// Errors: audit's. Runs in the caller's task arena. O(n log n) but for
-/// triangles that overlap many others' boxes. All that grows with the mesh lies in the scratch, which must
-/// outlive the answer; of anonymous memory it takes a few MB then.
+/// Errors: audit's. Runs in the caller's task arena. O(n log n) but for triangles that overlap many others'
+/// boxes. All that grows with the mesh lies in the scratch, which must outlive the answer; of anonymous
+/// memory it takes less than 32 MB then, for no more than so many arrays are there at a time that are smaller
+/// than Scratch::large.
 Result<Examined> examine(MeshView mesh, Progress& progress, const Scratch* scratch = nullptr);
 
 }  // namespace cdfr
