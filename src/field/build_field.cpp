@@ -75,9 +75,9 @@ Result<FieldData> prepare_field(MeshView mesh, const BuildOptions& options, Prog
     const bool naive = field.sign == Sign::pseudonormal;
     const std::span<const std::uint8_t> all, edges = examined->plain_edges,
                                              vertices = examined->plain_vertices;
-    field.pseudonormals = pseudonormals(field.triangles, examined->topology.edges.size(),
-                                        field.report.vertices, naive ? all : edges, naive ? all : vertices,
-                      scratch);
+    field.pseudonormals =
+        pseudonormals(field.triangles, examined->topology.edges.size(), field.report.vertices,
+                      naive ? all : edges, naive ? all : vertices, scratch);
   }
   derive_far_side(field);
   if (field.sign == Sign::winding && !field.report.balanced())

@@ -48,7 +48,8 @@ Result<Job> job_of(const std::filesystem::path& mesh, const FileBuildOptions& op
   const Result<MappedFile> file = MappedFile::open(mesh);
   if (!file) return file.error();
   const std::span<const std::byte> bytes = file->bytes();
-  const std::unique_ptr<XXH64_state_t, decltype(&XXH64_freeState)> state(XXH64_createState(), &XXH64_freeState);
+  const std::unique_ptr<XXH64_state_t, decltype(&XXH64_freeState)> state(XXH64_createState(),
+                                                                         &XXH64_freeState);
   XXH64_reset(state.get(), 0);
   constexpr std::size_t piece = std::size_t{1} << 24;
   for (std::size_t at = 0; at < bytes.size(); at += piece) {
@@ -104,7 +105,12 @@ class FileBuild {
  public:
   FileBuild(const std::filesystem::path& mesh, const std::filesystem::path& output,
             const FileBuildOptions& options, WorkFolder& work, Progress& progress)
-      : mesh_(mesh), output_(output), options_(options), work_(work), progress_(progress), scratch_(work.path()) {}
+      : mesh_(mesh),
+        output_(output),
+        options_(options),
+        work_(work),
+        progress_(progress),
+        scratch_(work.path()) {}
 
   Result<FileBuildReport> run() {
     const Result<Job> job = job_of(mesh_, options_, progress_);
@@ -138,7 +144,8 @@ class FileBuild {
       progress_.step();
       lay_lattice(*field, scratch());
       const Arrays arrays = arrays_of(*field, options_.unit);
-      if (Result<void> written = write_field(arrays, nullptr, inside("prepared"), Packing::none, progress_); !written)
+      if (Result<void> written = write_field(arrays, nullptr, inside("prepared"), Packing::none, progress_);
+          !written)
         return written;
     }
     Result<StoredField> prepared = load_prepared(inside("prepared"));
@@ -189,7 +196,8 @@ Result<FileBuildReport> build_file(const std::filesystem::path& mesh, const std:
                                    const FileBuildOptions& options, const Run& run) {
   if (std::optional<Error> error = refused(options.build)) return *error;
   if (Result<MappedFile> there = MappedFile::open(mesh); !there) return there.error();
-  if (const std::uint64_t least = least_memory(mesh, run.threads); options.memory > 0 && options.memory < least) {
+  if (const std::uint64_t least = least_memory(mesh, run.threads);
+      options.memory > 0 && options.memory < least) {
     return Error{Code::bad_option, 0,
                  "memory: this mesh needs at least " + std::to_string((least >> 20) + 1) + " MiB"};
   }
@@ -205,7 +213,8 @@ Result<FileBuildReport> build_file(const std::filesystem::path& mesh, const std:
     return Error{Code::file_write, 0, "neither memory nor the disk has room for the work"};
   }
   // What was refused is not to be gone on with.
-  if (!report && report.error().code != Code::cancelled && report.error().code != Code::file_write) work->remove();
+  if (!report && report.error().code != Code::cancelled && report.error().code != Code::file_write)
+    work->remove();
   return report;
 }
 

@@ -92,7 +92,8 @@ bool add_up(const format::Counts& c, const format::Settings& s, const MeshReport
   if (sign != Sign::none && c[format::vertex_normals] != report.vertices) return false;
   if (sign == Sign::none && c[format::vertex_normals] + c[format::edge_normals] != 0) return false;
   const std::uint64_t cubes = std::uint64_t{s.bricks[0]} * s.bricks[1] * s.bricks[2];
-  if (stage == Stage::prepared && c[format::top] + c[format::block_sizes] + c[format::block_nodes] + leaves == 0)
+  if (stage == Stage::prepared &&
+      c[format::top] + c[format::block_sizes] + c[format::block_nodes] + leaves == 0)
     return c[format::winding_nodes] == (sign == Sign::winding && !report.balanced() ? nodes : 0);
   if (leaves == 0 || s.index_level > 16 || c[format::index_grid] != cubes << (3 * s.index_level) ||
       c[format::block_leaves] != leaves || c[format::top] == 0 || c[format::block_sizes] == 0)

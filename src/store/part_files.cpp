@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array<const char*, 7> names{"nodes", "leaves", "entries", "whole", "place", "known", "near"};
 constexpr std::array<std::size_t, 7> element_size{
-    sizeof(TreeNode),      sizeof(LeafRecord),           sizeof(Entry),        sizeof(std::int32_t),
+    sizeof(TreeNode),      sizeof(LeafRecord),          sizeof(Entry),        sizeof(std::int32_t),
     sizeof(std::uint32_t), sizeof(LeafWindings::Known), sizeof(std::uint32_t)};
 
 Error failure(const char* what) {
@@ -170,7 +170,8 @@ Result<void> PartFiles::map(Part part, Array<T>& array) const {
 Result<void> PartFiles::give(FieldData& field, Octree upper, const Scratch* scratch) {
   Result<void> done;
   if (files_[place].size > 0) {
-    const LeafWindings::Known end{0, {}, 0, static_cast<std::uint32_t>(files_[near].size / sizeof(std::uint32_t))};
+    const LeafWindings::Known end{
+        0, {}, 0, static_cast<std::uint32_t>(files_[near].size / sizeof(std::uint32_t))};
     done = write(files_[known], &end, sizeof end);
   }
   const auto get = [&](Part part, auto& array) {

@@ -1,8 +1,9 @@
-/// The octree while it is built on disk: one growing file for each of its arrays, and a log of finished blocks.
+/// The octree while it is built on disk: one growing file for each of its arrays, and a log of finished
+/// blocks.
 ///
-/// A block is appended to each file, then a record to the log: what the block took, and a hash of its bytes. Whoever
-/// goes on after a kill keeps the blocks whose records and bytes are whole, and cuts off the rest. So nothing needs
-/// to be synced on the way, and a lost page costs no more than the blocks from there on.
+/// A block is appended to each file, then a record to the log: what the block took, and a hash of its bytes.
+/// Whoever goes on after a kill keeps the blocks whose records and bytes are whole, and cuts off the rest. So
+/// nothing needs to be synced on the way, and a lost page costs no more than the blocks from there on.
 #pragma once
 
 #include <array>
@@ -21,15 +22,16 @@ namespace cdfr {
 
 class PartFiles {
  public:
-  /// Opens or makes the files in the folder and keeps the blocks that are whole. Errors: file_write. O(bytes there).
+  /// Opens or makes the files in the folder and keeps the blocks that are whole. Errors: file_write. O(bytes
+  /// there).
   static Result<PartFiles> open(const std::filesystem::path& folder);
 
   /// Blocks that are there.
   std::size_t size() const noexcept { return sizes_.size(); }
   /// Precondition: it follows the last one. Errors: file_write.
   Result<void> append(FinishedBlock block);
-  /// Makes the field's octree of all blocks, mapped. `upper` is the part above them. The scratch holds the index.
-  /// Errors: file_write, file_open. Call once, last.
+  /// Makes the field's octree of all blocks, mapped. `upper` is the part above them. The scratch holds the
+  /// index. Errors: file_write, file_open. Call once, last.
   Result<void> give(FieldData& field, Octree upper, const Scratch* scratch);
 
   PartFiles(PartFiles&&) noexcept = default;

@@ -31,7 +31,8 @@ Result<WorkFolder> WorkFolder::open(const std::filesystem::path& output) {
       return failure("cannot make its work folder", errno);
     const int folder = ::open(work.path_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     if (folder < 0 && errno == ENOENT) continue;
-    if (folder < 0) return failure("its work folder " + work.path_.filename().string() + " is not usable", errno);
+    if (folder < 0)
+      return failure("its work folder " + work.path_.filename().string() + " is not usable", errno);
     struct stat status {};
     const bool ours = ::fstat(folder, &status) == 0 && status.st_uid == ::geteuid();
     if (ours) work.lock_ = ::openat(folder, lock_name, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600);
@@ -43,7 +44,8 @@ Result<WorkFolder> WorkFolder::open(const std::filesystem::path& output) {
     if (::flock(work.lock_, LOCK_EX | LOCK_NB) != 0)
       return Error{Code::file_write, 0, "another build to this file is running"};
     // The lock may have gone with the folder while we waited to open it.
-    struct stat named {}, held {};
+    struct stat named {
+    }, held{};
     const std::string name = (work.path_ / lock_name).string();
     if (::stat(name.c_str(), &named) == 0 && ::fstat(work.lock_, &held) == 0 && named.st_ino == held.st_ino)
       return work;

@@ -10,8 +10,8 @@ namespace cdfr {
 /// Ours alone while this lives: locked. Move-only.
 class WorkFolder {
  public:
-  /// "OUTPUT.work", made with mode 0700 or found as somebody's interrupted work. Errors: file_write, if it is no
-  /// folder of ours (a symbolic link, another owner), or another build to this output is running.
+  /// "OUTPUT.work", made with mode 0700 or found as somebody's interrupted work. Errors: file_write, if it is
+  /// no folder of ours (a symbolic link, another owner), or another build to this output is running.
   static Result<WorkFolder> open(const std::filesystem::path& output);
 
   WorkFolder(WorkFolder&& other) noexcept;

@@ -13,8 +13,8 @@ namespace {
 constexpr std::uint64_t mebi = std::uint64_t{1} << 20;
 /// The program, its libraries and the octree's upper part.
 constexpr std::uint64_t fixed = 64 * mebi;
-/// A block of 65,536 triangles while it is built, or waits for its turn: lists of one level and its arrays. Measured:
-/// 8 to 20 MiB.
+/// A block of 65,536 triangles while it is built, or waits for its turn: lists of one level and its arrays.
+/// Measured: 8 to 20 MiB.
 constexpr std::uint64_t a_block = 32 * mebi;
 
 }  // namespace
@@ -30,8 +30,9 @@ std::uint64_t least_memory(const std::filesystem::path& mesh, unsigned threads) 
   return fixed + 2 * workers * a_block + reading;
 }
 
-/// A binary STL has 50 bytes a triangle, other formats seldom less than 25. Of a triangle, 700 bytes are scratch
-/// while topology and tree are made, or 350 the prepared file, 300 the octree's parts and 600 the field.
+/// A binary STL has 50 bytes a triangle, other formats seldom less than 25. Of a triangle, 700 bytes are
+/// scratch while topology and tree are made, or 350 the prepared file, 300 the octree's parts and 600 the
+/// field.
 std::uint64_t disk_for(std::uint64_t mesh_size) { return 32 * mebi + mesh_size / 50 * 1250; }
 
 }  // namespace cdfr

@@ -6,8 +6,8 @@
 
 namespace cdfr {
 
-/// Anonymous memory without which build_file cannot work: the program and its workers' blocks, and for formats other
-/// than binary STL the mesh while it is read.
+/// Anonymous memory without which build_file cannot work: the program and its workers' blocks, and for
+/// formats other than binary STL the mesh while it is read.
 std::uint64_t least_memory(const std::filesystem::path& mesh, unsigned threads);
 
 /// Disk that build_file takes at its peak, about, for a mesh file of that size.

@@ -1,12 +1,15 @@
+#include <chrono>
+#include <cstdint>
 #include <memory>
 #include <string>
 
 #include "byte_sink.h"
-#include "cdfr/store/store.h"
+#include "cdfr/store/build_file.h"
 #include "field_report.h"
 #include "input.h"
-#include "interrupt.h"
+#include "number_option.h"
 #include "output_target.h"
+#include "steering.h"
 #include "stop.h"
 #include "terminal_text.h"
 #include "verbs.h"
@@ -16,25 +19,45 @@ namespace {
 
 struct Arguments {
   std::string input, output;
-  bool compress = false;
+  bool compress = false, fresh = false;
+  std::uint64_t memory = 0;
   Settings settings;
 };
+
+/// A signal ends the program wherever it is: the work folder knows how to go on.
+FileBuildReport built_file(const Arguments& arguments) {
+  FileBuildOptions options;
+  options.build = arguments.settings.build;
+  options.unit = arguments.settings.unit;
+  options.flip = arguments.settings.flip;
+  options.packing = arguments.compress ? Packing::zstd : Packing::none;
+  options.memory = arguments.memory;
+  options.fresh = arguments.fresh;
+  Steering steering(arguments.settings, "building", OnSignal::end);
+  const Result<FileBuildReport> built =
+      build_file(arguments.input, arguments.output, options, steering.run());
+  if (built) return *built;
+  const bool about_output = built.error().code == Code::file_write;
+  stop_for(built.error(), about_output ? arguments.output : arguments.input);
+}
 
 void build(const Arguments& arguments) {
   check_target(arguments.output, {".cdfr"});
   if (is_saved_field(arguments.input)) {
     stop_failed(arguments.input, "is a saved field; build takes a mesh");
   }
-  const Input input = open_input(arguments.input, arguments.settings);
-  {
-    const DeferInterrupts defer;
-    need(save(input.field, arguments.output, input.unit, arguments.compress ? Packing::zstd : Packing::none),
-         arguments.output);
-    stop_if_interrupted();
-  }
+  const auto start = std::chrono::steady_clock::now();
+  const FileBuildReport built = built_file(arguments);
+  Settings to_read = arguments.settings;
+  to_read.build_options.clear();  // they were for the build
+  Input input = open_input(arguments.output, to_read);
+  note_sign(input.field, arguments.settings);
+  input.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (arguments.settings.json) {
     Json report = field_json(arguments.input, input);
     report["output"] = arguments.output;
+    report["blocks"] = built.blocks;
+    report["blocks_kept"] = built.blocks_kept;
     print_json(report);
   } else if (!arguments.settings.quiet) {
     print_text(field_text(arguments.input, input) + "written to " + terminal_text(arguments.output) + "\n");
@@ -50,6 +73,10 @@ void add_build(CLI::App& program) {
   verb->add_option("-o,--output", arguments->output, "Field to write (.cdfr)")->required()->type_name("FILE");
   verb->add_flag("--compress", arguments->compress,
                  "Pack the file (zstd), for archives: it is read into memory whole, not mapped");
+  add_size(*verb, "--memory", arguments->memory,
+           "Anonymous memory that the work may take; what does not fit lies on disk. Without it, as much as "
+           "it likes");
+  verb->add_flag("--fresh", arguments->fresh, "Start over, whatever an interrupted build has left");
   add_field_options(*verb, arguments->settings);
   verb->footer("Example:\n  cdfr build part.stl -o part.cdfr --unit mm");
   verb->callback([arguments] { build(*arguments); });

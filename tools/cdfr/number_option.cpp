@@ -1,5 +1,6 @@
 #include "number_option.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -60,6 +61,26 @@ CLI::Option* add_count(CLI::App& verb, const std::string& name, int& target, int
 CLI::Option* add_count(CLI::App& verb, const std::string& name, std::uint64_t& target, std::uint64_t least,
                        std::uint64_t greatest, const std::string& description) {
   return add_whole(verb, name, target, least, greatest, description);
+}
+
+CLI::Option* add_size(CLI::App& verb, const std::string& name, std::uint64_t& target,
+                      const std::string& description) {
+  const auto set = [name, &target](const std::string& word) {
+    const std::size_t digits = std::min(word.find_first_not_of("0123456789"), word.size());
+    const std::string unit = word.substr(digits);
+    std::uint64_t value = 0;
+    int shift = -1;
+    if (unit.empty() || unit == "B") shift = 0;
+    if (unit == "KiB") shift = 10;
+    if (unit == "MiB") shift = 20;
+    if (unit == "GiB") shift = 30;
+    if (unit == "TiB") shift = 40;
+    if (shift < 0 || !parse(word.substr(0, digits), value) || value == 0 ||
+        value >= std::uint64_t{1} << (62 - shift))
+      throw CLI::ValidationError(name, "'" + word + "' is not a size such as 500MiB or 2GiB");
+    target = value << shift;
+  };
+  return verb.add_option_function<std::string>(name, set, description)->type_name("SIZE");
 }
 
 }  // namespace cdfr::command

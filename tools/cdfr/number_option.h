@@ -24,4 +24,8 @@ CLI::Option* add_count(CLI::App& verb, const std::string& name, int& target, int
 CLI::Option* add_count(CLI::App& verb, const std::string& name, std::uint64_t& target, std::uint64_t least,
                        std::uint64_t greatest, const std::string& description);
 
+/// Bytes: a whole number, with KiB, MiB, GiB or TiB behind it if that is meant (2GiB).
+CLI::Option* add_size(CLI::App& verb, const std::string& name, std::uint64_t& target,
+                      const std::string& description);
+
 }  // namespace cdfr::command

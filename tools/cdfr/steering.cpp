@@ -12,11 +12,13 @@ constexpr std::chrono::milliseconds between_draws{100};
 
 }  // namespace
 
-Steering::Steering(const Settings& settings, std::string what)
+Steering::Steering(const Settings& settings, std::string what, OnSignal on_signal)
     : threads_(static_cast<unsigned>(settings.threads)),
       what_(std::move(what)),
       drawing_(!settings.quiet && ::isatty(STDERR_FILENO) == 1),
-      next_draw_(std::chrono::steady_clock::now() + between_draws) {}
+      next_draw_(std::chrono::steady_clock::now() + between_draws) {
+  if (on_signal == OnSignal::cancel) defer_.emplace();
+}
 
 Steering::~Steering() {
   if (drawing_) std::fputs("\r\x1b[K", stderr);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "cdfr/core/run.h"
@@ -10,11 +11,16 @@
 
 namespace cdfr::command {
 
-/// While it lives, signals cancel the work through run() instead of ending the program, and progress is drawn
-/// on standard error if that is a terminal.
+/// What a signal does meanwhile.
+enum class OnSignal {
+  cancel,  ///< the work, through run()
+  end,     ///< the program, at once: for work that leaves nothing half-written wherever it is
+};
+
+/// While it lives, progress is drawn on standard error if that is a terminal.
 class Steering {
  public:
-  Steering(const Settings& settings, std::string what);
+  Steering(const Settings& settings, std::string what, OnSignal on_signal = OnSignal::cancel);
   ~Steering();
   Steering(const Steering&) = delete;
   Steering& operator=(const Steering&) = delete;
@@ -28,7 +34,7 @@ class Steering {
   static bool tick(void* steering, double done) noexcept;
   void draw(double done) noexcept;
 
-  DeferInterrupts defer_;
+  std::optional<DeferInterrupts> defer_;
   unsigned threads_;
   std::string what_;
   bool drawing_;
