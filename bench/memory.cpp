@@ -1,0 +1,152 @@
+/// A field of a part of many millions of triangles, built on disk in bounded memory; then read through the
+/// map.
+///   bench_memory [--copies N] [--memory MIB] [--folder FOLDER] [--json FILE]
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "arguments.h"
+#include "cdfr/export/write.h"
+#include "cdfr/mesh/read.h"
+#include "cdfr/parts/part.h"
+#include "cdfr/store/build_file.h"
+#include "cdfr/store/store.h"
+#include "random.h"
+
+namespace cdfr::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Anonymous memory of a process now, in MiB; 0 if it is gone.
+double anonymous_of(pid_t process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.rfind("RssAnon:", 0) == 0) return std::atof(line.c_str() + 8) / 1024;
+  }
+  return 0;
+}
+
+struct Measured {
+  double seconds = 0, peak = 0;
+  bool done = false;
+};
+
+/// Work in a process of its own, whose anonymous memory is sampled.
+template <class Work>
+Measured in_process(Work work) {
+  const auto start = Clock::now();
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(work() ? 0 : 1);
+  Measured measured;
+  int status = 0;
+  while (::waitpid(child, &status, WNOHANG) == 0) {
+    measured.peak = std::max(measured.peak, anonymous_of(child));
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  measured.seconds = seconds_since(start);
+  measured.done = status == 0;
+  return measured;
+}
+
+bool told(const Result<FileBuildReport>& result) {
+  if (!result) std::fprintf(stderr, "bench: %s\n", result.error().text.c_str());
+  return static_cast<bool>(result);
+}
+
+/// Nanoseconds a query, the least of several rounds.
+double query_ns(const Field& field, const std::vector<Vec3>& points) {
+  double least = 1e30;
+  for (int round = 0; round < 9; ++round) {
+    const auto start = Clock::now();
+    double sum = 0;
+    for (const Vec3& p : points) sum += field.distance(p);
+    least = std::min(least, seconds_since(start) * 1e9 / static_cast<double>(points.size()));
+    if (sum == 0.5) std::puts("");  // or the compiler sees that nobody wants it
+  }
+  return least;
+}
+
+int run(int count, char** arguments) {
+  const auto number = [&](const char* name, double otherwise) {
+    const std::string word = take_value(count, arguments, name);
+    return word.empty() ? otherwise : std::atof(word.c_str());
+  };
+  const auto copies = static_cast<std::uint64_t>(number("--copies", 148));
+  const double memory = number("--memory", 1024);
+  const std::string json = take_value(count, arguments, "--json");
+  const std::string where = take_value(count, arguments, "--folder");
+  const std::filesystem::path folder =
+      (where.empty() ? std::filesystem::temp_directory_path() : std::filesystem::path(where)) /
+      "cdfr-bench-memory";
+  std::filesystem::create_directories(folder);
+  const auto mesh = folder / "part.stl", bounded = folder / "bounded.cdfr",
+             unbounded = folder / "unbounded.cdfr";
+
+  // In children, so that none of it stays in this process's memory.
+  const Measured made = in_process([&] {
+    const Result<Mesh> part = make_part("cylinder-head", copies);
+    return part && write_mesh(part->view(), mesh);
+  });
+  FileBuildOptions options;
+  options.memory = static_cast<std::uint64_t>(memory * 1048576);
+  const Measured tight = in_process([&] { return told(build_file(mesh, bounded, options)); });
+  const Measured free = in_process([&] { return told(build_file(mesh, unbounded)); });
+  if (!made.done || !tight.done || !free.done) return 1;
+  std::filesystem::remove(unbounded);
+
+  const auto start = Clock::now();
+  Result<StoredField> stored = load(bounded);
+  if (!stored) return 1;
+  const Box box = stored->field.bounds();
+  static_cast<void>(stored->field.distance(box.lo));
+  const double first_ms = seconds_since(start) * 1e3;
+  Random random(1);
+  std::vector<Vec3> points(100000);
+  for (Vec3& p : points) p = random.in(box);
+  const double mapped_ns = query_ns(stored->field, points);
+  const std::string file_size = std::to_string(std::filesystem::file_size(bounded));
+  // The same bytes on the heap: a packed file is unpacked there.
+  const auto packed = folder / "packed.cdfr";
+  double heap_ns = 0;
+  if (save(stored->field, packed, "", Packing::zstd)) {
+    const Result<StoredField> whole = load(packed);
+    if (whole) heap_ns = query_ns(whole->field, points);
+  }
+  const double triangles = static_cast<double>(stored->field.report().triangles);
+  const nlohmann::json row{{"triangles", triangles},      {"file_bytes", std::stod(file_size)},
+                           {"memory_MiB", memory},        {"bounded_peak_MiB", tight.peak},
+                           {"bounded_s", tight.seconds},  {"unbounded_peak_MiB", free.peak},
+                           {"unbounded_s", free.seconds}, {"time_ratio", tight.seconds / free.seconds},
+                           {"first_answer_ms", first_ms}, {"mapped_ns", mapped_ns},
+                           {"heap_ns", heap_ns}};
+  std::printf("%.0f triangles, field %.2f GB\n", triangles, std::stod(file_size) / 1e9);
+  std::printf(
+      "bounded by %.0f MiB: peak %.0f MiB anonymous, %.1f s; unbounded: %.0f MiB, %.1f s; %.2f times as "
+      "long\n",
+      memory, tight.peak, tight.seconds, free.peak, free.seconds, tight.seconds / free.seconds);
+  std::printf("load to the first answer: %.1f ms\n", first_ms);
+  std::printf("a random query through the map %.0f ns, on the heap %.0f ns\n", mapped_ns, heap_ns);
+  if (!json.empty()) std::ofstream(json) << row.dump(1) << '\n';
+  std::filesystem::remove_all(folder);
+  return tight.peak < memory ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace cdfr::bench
+
+int main(int count, char** arguments) { return cdfr::bench::run(count, arguments); }
