@@ -26,18 +26,12 @@ class SideSetter {
     const Vec3 centre = lattice.centre(cell);
     const double radius = (diagonal_above(lattice.box(cell)) / 2 + 2 * lattice.grown()) * (1 + 0x1p-50);
     const bool free = node.is_leaf() || unsigned_distance(field_, centre) > radius * (1 + 0x1p-50);
-    const Side side = free ? side_of(centre, radius) : Side::undecided;
+    const Side side = free ? side_of_free_ball(field_, centre, radius) : Side::undecided;
     if (side != Side::undecided) return set_all(node, side);
     if (node.is_leaf()) return;
     for (int child = 0; child < 8; ++child) {
       visit(child_of(cell, child), block_.nodes[node.first_child() + static_cast<std::uint32_t>(child)]);
     }
-  }
-
-  /// Without boundary all of a free cell is where its centre is.
-  Side side_of(const Vec3& centre, double radius) const noexcept {
-    if (!field_.winding.empty()) return side_of_ball(field_.winding, field_.space(), centre, radius);
-    return signed_distance(field_, centre) < 0 ? Side::inside : Side::outside;
   }
 
   void set_all(TreeNode node, Side side) noexcept {
@@ -56,10 +50,18 @@ class SideSetter {
 
 }  // namespace
 
+bool sides_are_certain(const FieldData& field) noexcept {
+  return field.sign == Sign::winding || (field.sign == Sign::pseudonormal && field.report.embedded());
+}
+
+/// Without boundary all of a free ball is where its centre is.
+Side side_of_free_ball(const FieldData& field, const Vec3& centre, double radius) noexcept {
+  if (!field.winding.empty()) return side_of_ball(field.winding, field.space(), centre, radius);
+  return signed_distance(field, centre) < 0 ? Side::inside : Side::outside;
+}
+
 void set_sides(const FieldData& field, Block& block, Progress& progress) {
-  const bool certain =
-      field.sign == Sign::winding || (field.sign == Sign::pseudonormal && field.report.embedded());
-  if (certain) SideSetter(field, block, progress).run();
+  if (sides_are_certain(field)) SideSetter(field, block, progress).run();
 }
 
 }  // namespace cdfr

@@ -11,4 +11,9 @@ namespace cdfr {
 /// if that is cancelled.
 void set_sides(const FieldData& field, Block& block, Progress& progress);
 
+/// Is the side of a ball without triangles ever certain?
+bool sides_are_certain(const FieldData& field) noexcept;
+/// Of all of the ball, in which there is no triangle. Precondition: sides are certain.
+Side side_of_free_ball(const FieldData& field, const Vec3& centre, double radius) noexcept;
+
 }  // namespace cdfr

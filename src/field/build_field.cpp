@@ -1,5 +1,6 @@
 #include "field/build_field.h"
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "core/floating_environment.h"
 #include "core/parallel.h"
 #include "core/progress.h"
+#include "field/domain.h"
 #include "field/finished_block.h"
 #include "mesh/examine.h"
 #include "octree/build.h"
@@ -31,6 +33,10 @@ std::optional<Error> refused(const BuildOptions& options) {
   if (options.max_triangles_per_leaf < 1) return bad("max_triangles_per_leaf must be at least 1");
   if (options.max_level < 0 || options.max_level > deepest_level) return bad("max_level must be 0 to 18");
   if (!(options.gain > 0)) return bad("gain must be above 0");
+  if (options.domain == Domain::band && !(options.band > 0 && options.band < HUGE_VAL))
+    return bad("band must be positive and finite");
+  if (options.domain == Domain::interior && options.sign == Sign::none)
+    return bad("an unsigned field has no interior");
   return std::nullopt;
 }
 
@@ -96,7 +102,7 @@ Result<FieldData> build_field(MeshView mesh, const BuildOptions& options, const 
     progress.phase(0.1, 0.2, 1);
     progress.step();
     lay_lattice(*field);
-    BlockCut cut(field->space(), field->tree.lattice, field->options, progress);
+    BlockCut cut(field->space(), field->tree.lattice, field->options, progress, cells_left_out(*field));
     std::vector<FinishedBlock> blocks;
     const Result<void> built = finish_blocks(*field, cut, 0, progress, [&](FinishedBlock block) {
       blocks.push_back(std::move(block));

@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 
+#include "field/domain.h"
 #include "field/leaves.h"
 #include "octree/search.h"
 
@@ -69,6 +70,7 @@ Stats stats_of(const FieldData& field) {
     stats.entries += block.entries.size();
     for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
       const LeafRecord& leaf = block.leaves[number];
+      if (is_left_out(field, block, leaf)) return;
       lengths.push_back(length_of(field, block, leaf));
       const auto level = static_cast<std::size_t>(cell.level);
       if (level < by_level.size()) by_level[level] += lengths.back();  // deeper in forged files alone

@@ -30,16 +30,32 @@ void BlockBuilder::count(const OpenCell& cell, std::uint64_t inherited) {
   levels_[level].entries_pruned += inherited - cell.triangles;
 }
 
-/// Does the surface come into the closed grown cell, from which queries may come? True where rounding leaves
-/// it open.
-bool BlockBuilder::may_cross(const OpenCell& cell) const {
-  const double g = lattice_.grown();
-  const Box exact = lattice_.box(cell.cell);
-  const Box box{{exact.lo.x - g, exact.lo.y - g, exact.lo.z - g},
-                {exact.hi.x + g, exact.hi.y + g, exact.hi.z + g}};
-  const double away = distance_between(lattice_.centre(cell.cell), cell.dominators[0]);
+/// No triangle is closer to the cell's centre.
+double BlockBuilder::away(const OpenCell& cell) const noexcept {
   const double slack = 4 * estimate_error * lattice_.reach();
-  if (away - slack > diagonal_above(box) / 2) return false;
+  return distance_between(lattice_.centre(cell.cell), cell.dominators[0]) - slack;
+}
+
+bool BlockBuilder::is_left_out(const OpenCell& cell, bool is_free) const {
+  return left_out_ && left_out_(cell.cell, away(cell), is_free);
+}
+
+/// The closed grown cell, from which queries may come.
+Box BlockBuilder::grown_box(const Cell& cell) const noexcept {
+  const double g = lattice_.grown();
+  const Box exact = lattice_.box(cell);
+  return {{exact.lo.x - g, exact.lo.y - g, exact.lo.z - g}, {exact.hi.x + g, exact.hi.y + g, exact.hi.z + g}};
+}
+
+/// Is it certain without a look at the triangles that none comes in?
+bool BlockBuilder::is_far(const OpenCell& cell) const noexcept {
+  return away(cell) > diagonal_above(grown_box(cell.cell)) / 2;
+}
+
+/// Does the surface come in? True where rounding leaves it open.
+bool BlockBuilder::may_cross(const OpenCell& cell) const {
+  if (is_far(cell)) return false;
+  const Box box = grown_box(cell.cell);
   const auto enter = [&](std::uint32_t index) { return overlap(space_.bvh.nodes[index].box, box); };
   const auto misses = [&](std::uint32_t index) {
     const std::uint32_t number = space_.bvh.nodes[index].first_group;
@@ -54,10 +70,21 @@ bool BlockBuilder::may_cross(const OpenCell& cell) const {
 }
 
 void BlockBuilder::close(Growing&& cell) {
+  const bool crossed = may_cross(cell.open);
+  if (!crossed && is_left_out(cell.open, true)) return leave_out(cell);
+  add_leaf(cell, crossed, listed(cell.open.list));
+}
+
+void BlockBuilder::leave_out(const Growing& cell) {
+  const bool is_group = space_.bvh.nodes[0].is_group();
+  add_leaf(cell, false, {is_group ? Entry::of_group(0, 0, 0xff) : Entry::of_node(0, 0)});
+}
+
+void BlockBuilder::add_leaf(const Growing& cell, bool crossed, std::vector<Entry> list) {
   nodes_[cell.node] = TreeNode::leaf(static_cast<std::uint32_t>(lists_.size()));
-  crossed_.push_back(may_cross(cell.open));
+  crossed_.push_back(crossed);
   levels_[static_cast<std::size_t>(cell.open.cell.level)].leaves += 1;
-  lists_.push_back(listed(cell.open.list));
+  lists_.push_back(std::move(list));
 }
 
 /// Ascending.
@@ -114,6 +141,10 @@ Block BlockBuilder::build(OpenCell root, std::uint64_t inherited) {
     }
     for (Growing& cell : frontier) {
       if (!progress_.poll()) return {};
+      if (is_far(cell.open) && is_left_out(cell.open, true)) {
+        leave_out(cell);
+        continue;
+      }
       if (!may_split(cell.open) || leaves + 7 > most_leaves_) {
         close(std::move(cell));
         continue;

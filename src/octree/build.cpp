@@ -32,12 +32,14 @@ struct BlockCut::Pending {
   std::uint32_t node = 0;  ///< of the top tree
 };
 
-BlockCut::BlockCut(SearchSpace space, const Lattice& lattice, const BuildOptions& options, Progress& progress)
+BlockCut::BlockCut(SearchSpace space, const Lattice& lattice, const BuildOptions& options, Progress& progress,
+                   LeftOut left_out)
     : space_(space),
       lattice_(lattice),
       options_(options),
       refining_{options.lists, opened_below(options.max_triangles_per_leaf)},
-      progress_(progress) {
+      progress_(progress),
+      left_out_(std::move(left_out)) {
   cut();
   for (const Seed& seed : seeds_) listed_ += seed.open.triangles;
 }
@@ -99,7 +101,7 @@ std::uint64_t BlockCut::most_leaves(const OpenCell& root) const noexcept {
 BuiltBlock BlockCut::build(std::size_t number) {
   Seed& seed = seeds_[number];
   BlockBuilder builder(space_, lattice_, options_, refining_, scratches_.local(), most_leaves(seed.open),
-                       progress_);
+                       left_out_, progress_);
   Block block = builder.build(std::move(seed.open), seed.inherited);
   return {std::move(block), builder.levels()};
 }

@@ -8,6 +8,7 @@
 
 #include "cdfr/octree/options.h"
 #include "core/progress.h"
+#include "octree/block_builder.h"
 #include "octree/blocks.h"
 #include "octree/refine.h"
 #include "octree/search.h"
@@ -36,7 +37,9 @@ class BlockCut {
  public:
   /// Refines from the virtual cube down until lists are short enough for one block each. Runs in the caller's
   /// task arena. Of no use if the progress is cancelled. What is passed by reference must outlive this.
-  BlockCut(SearchSpace space, const Lattice& lattice, const BuildOptions& options, Progress& progress);
+  /// Cells that `left_out` picks become leaves whose list is the whole BVH.
+  BlockCut(SearchSpace space, const Lattice& lattice, const BuildOptions& options, Progress& progress,
+           LeftOut left_out = {});
 
   /// Without blocks.
   Octree octree() const;
@@ -61,6 +64,7 @@ class BlockCut {
   const BuildOptions& options_;
   RefineOptions refining_;
   Progress& progress_;
+  LeftOut left_out_;
   Scratches scratches_;
   Array<TreeNode> top_;
   std::vector<Seed> seeds_;   ///< in Morton order

@@ -24,6 +24,8 @@ format::Settings settings_of(const FieldData& field) {
   s.sign = static_cast<std::uint8_t>(field.sign);
   s.sign_option = static_cast<std::uint8_t>(field.options.sign);
   s.lists = static_cast<std::uint8_t>(field.options.lists);
+  s.domain = static_cast<std::uint8_t>(field.options.domain);
+  s.band = field.options.band;
   return s;
 }
 
@@ -54,6 +56,8 @@ void apply(const format::Settings& s, FieldData& field) {
   field.options.max_level = small(s.max_level);
   field.options.sign = static_cast<Sign>(s.sign_option);
   field.options.lists = static_cast<Lists>(s.lists);
+  field.options.domain = static_cast<Domain>(s.domain);
+  field.options.band = s.band;
   field.sign = static_cast<Sign>(s.sign);
 }
 

@@ -20,6 +20,7 @@
 #include "core/scratch.h"
 #include "core/whole_file.h"
 #include "field/build_field.h"
+#include "field/domain.h"
 #include "field/finished_block.h"
 #include "mesh/large_mesh.h"
 #include "store/arrays.h"
@@ -39,7 +40,8 @@ struct Job {
   std::uint64_t mesh_size = 0, mesh_hash = 0;
   double margin = 0, gain = 0;
   std::uint64_t expected_queries = 0;
-  std::int32_t max_triangles = 0, max_level = 0, sign = 0, lists = 0;
+  double band = 0;
+  std::int32_t max_triangles = 0, max_level = 0, sign = 0, lists = 0, domain = 0, zero = 0;
 
   friend bool operator==(const Job&, const Job&) = default;
 };
@@ -67,6 +69,8 @@ Result<Job> job_of(const std::filesystem::path& mesh, const FileBuildOptions& op
   job.max_level = options.build.max_level;
   job.sign = static_cast<std::int32_t>(options.build.sign);
   job.lists = static_cast<std::int32_t>(options.build.lists);
+  job.domain = static_cast<std::int32_t>(options.build.domain);
+  job.band = options.build.band;
   return job;
 }
 
@@ -157,7 +161,7 @@ class FileBuild {
   Result<FileBuildReport> build() {
     Result<PartFiles> parts = PartFiles::open(work_.path());
     if (!parts) return parts.error();
-    BlockCut cut(field_.space(), field_.tree.lattice, field_.options, progress_);
+    BlockCut cut(field_.space(), field_.tree.lattice, field_.options, progress_, cells_left_out(field_));
     if (progress_.cancelled()) return Progress::error();
     FileBuildReport report;
     report.blocks = cut.size();

@@ -123,7 +123,8 @@ bool good_settings(const format::Settings& s) {
   const auto sign = static_cast<Sign>(s.sign), asked = static_cast<Sign>(s.sign_option);
   return s.margin >= 0 && s.margin <= 1 && s.gain > 0 && s.max_triangles_per_leaf >= 1 &&
          s.max_level <= deepest_level && sign != Sign::automatic && sign <= Sign::none &&
-         asked <= Sign::none && static_cast<Lists>(s.lists) <= Lists::band;
+         asked <= Sign::none && static_cast<Lists>(s.lists) <= Lists::band &&
+         static_cast<Domain>(s.domain) <= Domain::band && s.band >= 0;
 }
 
 /// Sections as they lie in `bytes`, kept by `owner`.

@@ -31,13 +31,19 @@ Json levels_json(const Stats& stats) {
   return levels;
 }
 
+std::string domain_text(const BuildOptions& options) {
+  if (options.domain == Domain::box) return "box";
+  return options.domain == Domain::interior ? "interior" : "band:" + short_text(options.band);
+}
+
 Json options_json(const BuildOptions& options) {
   return {{"max_triangles", options.max_triangles_per_leaf},
           {"max_level", options.max_level},
           {"margin", options.margin},
           {"gain", options.gain},
           {"sign", sign_text(options.sign)},
-          {"lists", lists_text(options.lists)}};
+          {"lists", lists_text(options.lists)},
+          {"domain", domain_text(options)}};
 }
 
 std::string box_text(const Box& box, const std::string& unit) {

@@ -41,6 +41,10 @@ CLI::Option* add_whole(CLI::App& verb, const std::string& name, Count& target, C
 
 }  // namespace
 
+bool parse_number(const std::string& word, double& value) {
+  return parse(std::string_view(word), value) && std::isfinite(value);
+}
+
 CLI::Option* add_number(CLI::App& verb, const std::string& name, double& target, const Range& range,
                         const std::string& description) {
   const auto set = [name, range, &target](const std::string& word) {

@@ -14,6 +14,9 @@ struct Range {
   double greatest = std::numeric_limits<double>::max();
 };
 
+/// The whole word as a finite number.
+bool parse_number(const std::string& word, double& value);
+
 /// Rounded once, to the nearest double; never NaN or infinite.
 CLI::Option* add_number(CLI::App& verb, const std::string& name, double& target, const Range& range,
                         const std::string& description);

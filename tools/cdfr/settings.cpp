@@ -33,6 +33,27 @@ CLI::Option* add_choice(CLI::App& verb, const std::string& name, Value& target,
   return verb.add_option_function<std::string>(name, set, description)->type_name("WORD");
 }
 
+/// "band:2.5" says how wide.
+CLI::Option* add_domain(CLI::App& verb, BuildOptions& build) {
+  const auto set = [&build](const std::string& word) {
+    const bool is_band = word.rfind("band:", 0) == 0;
+    if (word == "box") {
+      build.domain = Domain::box;
+    } else if (word == "interior") {
+      build.domain = Domain::interior;
+    } else if (is_band && parse_number(word.substr(5), build.band) && build.band > 0) {
+      build.domain = Domain::band;
+    } else {
+      throw CLI::ValidationError("--domain", "'" + word + "' is none of box, interior, band:DISTANCE");
+    }
+  };
+  return verb
+      .add_option_function<std::string>(
+          "--domain", set,
+          "Where leaves have lists of their own: box, interior or band:DISTANCE; exact everywhere")
+      ->type_name("WORD");
+}
+
 }  // namespace
 
 std::string Settings::given_build_option() const {
@@ -79,6 +100,7 @@ void add_build_options(CLI::App& verb, Settings& settings) {
                  "Which triangles a leaf keeps: corner (the tight rule) or band (the source paper's)"),
       add_choice(verb, "--sign", build.sign, signs,
                  "How inside is told from outside: automatic (by the audit), pseudonormal, winding or none"),
+      add_domain(verb, build),
       verb.add_flag("--flip", settings.flip,
                     "Turn the mesh inside out first: front and back of every triangle change places"),
   };

@@ -36,6 +36,7 @@ struct Closest {
   std::array<double, 3> barycentric{};  ///< of `point` in the triangle; they add up to 1
 };
 
+/// Leaves that the domain leaves out are not counted, but in `levels`.
 struct Stats {
   std::uint64_t triangles = 0, vertices = 0;
   std::uint64_t inside_leaves = 0, surface_leaves = 0, outside_leaves = 0, undecided_leaves = 0;

@@ -13,6 +13,14 @@ enum class Lists : std::uint8_t {
   band,    ///< the source paper's range [m, m + sqrt(3) s]: for comparison
 };
 
+/// Where leaves have lists of their own. Everywhere else in the box, as beyond it, a query walks the BVH:
+/// slower, and as exact.
+enum class Domain {
+  box,       ///< the mesh's box and its margin
+  interior,  ///< where the surface or the inside comes in: the source paper's way
+  band,      ///< within BuildOptions::band of the surface
+};
+
 struct BuildOptions {
   /// Domain: the mesh's box grown by this share of its longest side. Queries beyond are exact too, and
   /// slower.
@@ -31,6 +39,9 @@ struct BuildOptions {
   double gain = 0.75;
   Sign sign = Sign::automatic;
   Lists lists = Lists::corner;
+  /// Interior needs a sign.
+  Domain domain = Domain::box;
+  double band = 0;  ///< of Domain::band: positive, in the mesh's unit
 };
 
 }  // namespace cdfr
