@@ -12,6 +12,7 @@
 #include "field/finished_block.h"
 #include "mesh/examine.h"
 #include "octree/build.h"
+#include "octree/level_choice.h"
 #include "octree/list_length.h"
 
 namespace cdfr {
@@ -31,7 +32,9 @@ std::optional<Error> refused(const BuildOptions& options) {
   const auto bad = [](const char* text) { return Error{Code::bad_option, 0, text}; };
   if (!(options.margin >= 0 && options.margin <= 1)) return bad("margin must be 0 to 1");
   if (options.max_triangles_per_leaf < 1) return bad("max_triangles_per_leaf must be at least 1");
-  if (options.max_level < 0 || options.max_level > deepest_level) return bad("max_level must be 0 to 18");
+  if (options.max_level != BuildOptions::automatic_level &&
+      (options.max_level < 0 || options.max_level > deepest_level))
+    return bad("max_level must be 0 to 18");
   if (!(options.gain > 0)) return bad("gain must be above 0");
   if (options.domain == Domain::band && !(options.band > 0 && options.band < HUGE_VAL))
     return bad("band must be positive and finite");
@@ -56,6 +59,9 @@ void count_leaves(FieldData& field) {
 
 void lay_lattice(FieldData& field, const Scratch* scratch) {
   field.tree.lattice = lattice_for(field.bounds(), field.options.margin);
+  int& level = field.options.max_level;
+  if (level == BuildOptions::automatic_level)
+    level = level_for(field.tree.lattice.edge, field.report.area, field.triangles.size());
   const Lattice& lattice = field.tree.lattice;
   Large<ScanGroup> groups(field.triangles.group_count(), scratch);
   for_chunks(groups.size(), 1024, [&](std::size_t first, std::size_t end) {

@@ -23,7 +23,7 @@ Result<FieldData> build_field(MeshView mesh, const BuildOptions& options, const 
 void derive_far_side(FieldData& field) noexcept;
 /// first_leaf, from the blocks.
 void count_leaves(FieldData& field);
-/// The lattice, and the groups that depend on it. Runs in the caller's task arena.
+/// The lattice, the deepest level if that is automatic, and the groups of the scan. Runs in the caller's task arena.
 void lay_lattice(FieldData& field, const Scratch* scratch = nullptr);
 
 }  // namespace cdfr

@@ -31,6 +31,16 @@ void append(std::vector<T>& all, const std::vector<T>& part) {
 
 }  // namespace
 
+FinishedBlock finished_block(const FieldData& field, BlockCut& cut, std::size_t number, Progress& progress) {
+  FinishedBlock finished;
+  BuiltBlock built = cut.build(number);
+  if (progress.cancelled()) return finished;
+  finished.block = std::move(built.block);
+  finished.levels = std::move(built.levels);
+  finish(field, finished, progress);
+  return finished;
+}
+
 Result<void> finish_blocks(const FieldData& field, BlockCut& cut, std::size_t first, Progress& progress,
                            const BlockSink& sink) {
   if (progress.cancelled()) return Progress::error();
@@ -43,13 +53,7 @@ Result<void> finish_blocks(const FieldData& field, BlockCut& cut, std::size_t fi
     return next++;
   };
   const auto build = [&](std::size_t i) {
-    auto finished = std::make_shared<FinishedBlock>();
-    BuiltBlock built = cut.build(i);
-    if (progress.cancelled()) return finished;
-    finished->block = std::move(built.block);
-    finished->levels = std::move(built.levels);
-    finish(field, *finished, progress);
-    return finished;
+    return std::make_shared<FinishedBlock>(finished_block(field, cut, i, progress));
   };
   const auto give = [&](const std::shared_ptr<FinishedBlock>& finished) {
     if (!given || progress.cancelled()) return;

@@ -22,6 +22,9 @@ struct FinishedBlock {
 /// Takes finished blocks, one at a time, in Morton order.
 using BlockSink = std::function<Result<void>(FinishedBlock)>;
 
+/// Thread safe. Incomplete if cancelled.
+FinishedBlock finished_block(const FieldData& field, BlockCut& cut, std::size_t number, Progress& progress);
+
 /// Builds the blocks from `first` on and gives them away. The field has everything but the octree; its
 /// lattice is laid. No more blocks are in memory than twice the workers: a fast one waits for the sink. Runs
 /// in the caller's task arena. Errors: the sink's, which end the work; cancelled.

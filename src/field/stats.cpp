@@ -13,18 +13,6 @@
 namespace cdfr {
 namespace {
 
-std::uint64_t total_bytes(const FieldData& field) noexcept {
-  const Octree& tree = field.tree;
-  const WindingTree& winding = field.winding;
-  return sizeof field + field.triangles.exact.bytes() + field.triangles.records.bytes() +
-         field.bvh.nodes.bytes() + field.pseudonormals.edges.bytes() + field.pseudonormals.vertices.bytes() +
-         winding.nodes.bytes() + winding.boundary.edges.bytes() + winding.boundary.first.bytes() +
-         winding.boundary.lengths.bytes() + tree.top.bytes() + tree.nodes.bytes() + tree.leaves.bytes() +
-         tree.entries.bytes() + tree.blocks.size() * sizeof(Block) + tree.levels.size() * sizeof(LevelStats) +
-         field.first_leaf.size() * sizeof(std::uint64_t) + field.index.bytes() + field.leaf_windings.bytes() +
-         field.scan_groups.bytes();
-}
-
 /// Length of a list in triangles.
 std::uint64_t length_of(const FieldData& field, const Block& block, const LeafRecord& leaf) noexcept {
   std::uint64_t length = 0;
@@ -42,6 +30,18 @@ std::uint64_t length_of(const FieldData& field, const Block& block, const LeafRe
 }
 
 }  // namespace
+
+std::uint64_t total_bytes(const FieldData& field) noexcept {
+  const Octree& tree = field.tree;
+  const WindingTree& winding = field.winding;
+  return sizeof field + field.triangles.exact.bytes() + field.triangles.records.bytes() +
+         field.bvh.nodes.bytes() + field.pseudonormals.edges.bytes() + field.pseudonormals.vertices.bytes() +
+         winding.nodes.bytes() + winding.boundary.edges.bytes() + winding.boundary.first.bytes() +
+         winding.boundary.lengths.bytes() + tree.top.bytes() + tree.nodes.bytes() + tree.leaves.bytes() +
+         tree.entries.bytes() + tree.blocks.size() * sizeof(Block) + tree.levels.size() * sizeof(LevelStats) +
+         field.first_leaf.size() * sizeof(std::uint64_t) + field.index.bytes() + field.leaf_windings.bytes() +
+         field.scan_groups.bytes();
+}
 
 std::vector<std::uint32_t> slots_of(const FieldData& field, const Block& block, const LeafRecord& leaf) {
   std::vector<std::uint32_t> slots;

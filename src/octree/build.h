@@ -44,6 +44,8 @@ class BlockCut {
   /// Without blocks.
   Octree octree() const;
   std::size_t size() const noexcept { return seeds_.size(); }
+  /// Triangles in the list of a block's root. Precondition: the block is not built yet.
+  std::uint64_t listed(std::size_t number) const noexcept { return seeds_[number].open.triangles; }
   /// Each once. Leaves come out as `surface` where the surface may touch the closed cell, else as
   /// `undecided`: the field sets sides. Thread safe. Incomplete if cancelled. O(output).
   BuiltBlock build(std::size_t number);

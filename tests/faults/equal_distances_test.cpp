@@ -19,7 +19,7 @@ namespace {
 void expect_bounded_and_right(const Mesh& mesh, const BuildOptions& options, const Vec3& special) {
   const Field field = Field::build(mesh.view(), options).value();
   const Stats stats = field.stats();
-  EXPECT_LE(stats.levels.size(), static_cast<std::size_t>(options.max_level) + 1);
+  EXPECT_LE(stats.levels.size(), static_cast<std::size_t>(field.options().max_level) + 1);
   EXPECT_LE(stats.bytes, (16U << 20) + (std::uint64_t{4} << 10) * mesh.triangles.size());
   testing::Test::RecordProperty("bytes", std::to_string(stats.bytes));
   const BruteForce brute = BruteForce::over(mesh.view()).value();

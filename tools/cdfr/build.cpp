@@ -4,14 +4,19 @@
 #include <string>
 
 #include "byte_sink.h"
+#include "cdfr/field/plan.h"
+#include "cdfr/mesh/flip.h"
+#include "cdfr/mesh/read.h"
 #include "cdfr/store/build_file.h"
 #include "field_report.h"
 #include "input.h"
 #include "number_option.h"
+#include "number_text.h"
 #include "output_target.h"
 #include "steering.h"
 #include "stop.h"
 #include "terminal_text.h"
+#include "text_report.h"
 #include "verbs.h"
 
 namespace cdfr::command {
@@ -19,7 +24,7 @@ namespace {
 
 struct Arguments {
   std::string input, output;
-  bool compress = false, fresh = false;
+  bool compress = false, fresh = false, plan = false;
   std::uint64_t memory = 0;
   Settings settings;
 };
@@ -41,7 +46,32 @@ FileBuildReport built_file(const Arguments& arguments) {
   stop_for(built.error(), about_output ? arguments.output : arguments.input);
 }
 
+void plan(const Arguments& arguments) {
+  if (is_saved_field(arguments.input)) stop_failed(arguments.input, "is a saved field; --plan takes a mesh");
+  Mesh mesh = need(read_mesh(arguments.input), arguments.input);
+  if (arguments.settings.flip) flip(mesh);
+  Steering steering(arguments.settings, "planning");
+  const FieldPlan planned =
+      need(plan_field(mesh.view(), arguments.settings.build, steering.run()), arguments.input);
+  if (arguments.settings.json) {
+    Json report = begin_report(arguments.input, arguments.settings.unit);
+    report["plan"] = {{"triangles", planned.triangles},   {"leaves", planned.leaves},
+                      {"entries", planned.entries},       {"bytes", planned.bytes},
+                      {"peak_bytes", planned.peak_bytes}, {"seconds", planned.seconds}};
+    return print_json(report);
+  }
+  TextReport report(terminal_text(arguments.input));
+  report.line("triangles", count_text(planned.triangles));
+  report.line("leaves", "about " + count_text(planned.leaves));
+  report.line("memory and file", "about " + bytes_text(planned.bytes));
+  report.line("while it is built", "about " + bytes_text(planned.peak_bytes) + ", or as --memory says");
+  report.line("time", "about " + seconds_text(planned.seconds));
+  print_text(report.text());
+}
+
 void build(const Arguments& arguments) {
+  if (arguments.plan) return plan(arguments);
+  if (arguments.output.empty()) stop_usage("--output is required, but for --plan");
   check_target(arguments.output, {".cdfr"});
   if (is_saved_field(arguments.input)) {
     stop_failed(arguments.input, "is a saved field; build takes a mesh");
@@ -70,7 +100,8 @@ void add_build(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* verb = program.add_subcommand("build", "Build the distance field of a mesh and save it");
   verb->add_option("MESH", arguments->input, "STL, OBJ, PLY, glTF or GLB")->required();
-  verb->add_option("-o,--output", arguments->output, "Field to write (.cdfr)")->required()->type_name("FILE");
+  verb->add_option("-o,--output", arguments->output, "Field to write (.cdfr)")->type_name("FILE");
+  verb->add_flag("--plan", arguments->plan, "Only say what the field would be: leaves, bytes, memory, time");
   verb->add_flag("--compress", arguments->compress,
                  "Pack the file (zstd), for archives: it is read into memory whole, not mapped");
   add_size(*verb, "--memory", arguments->memory,

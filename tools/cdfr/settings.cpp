@@ -91,7 +91,7 @@ void add_build_options(CLI::App& verb, Settings& settings) {
                 "A cell with a longer list splits, if splitting pays (320)"),
       add_count(verb, "--queries", build.expected_queries, 1, std::uint64_t{1} << 60,
                 "About how many queries will follow: list lengths for which build and queries take least"),
-      add_count(verb, "--max-level", build.max_level, 0, deepest_level, "Deepest level of a leaf (5)"),
+      add_count(verb, "--max-level", build.max_level, 0, deepest_level, "Deepest level of a leaf (5, and more for long and for fine parts)"),
       add_number(verb, "--margin", build.margin, {0, 1},
                  "The domain is the part's box grown by this share of its longest side (0.05)"),
       add_number(verb, "--gain", build.gain, {std::numeric_limits<double>::min(), 1},

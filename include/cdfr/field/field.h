@@ -84,7 +84,8 @@ class CDFR_API Field {
   Sign sign() const noexcept;
   /// What the audit found when the field was built.
   const MeshReport& report() const noexcept;
-  /// As they were given, but for lists: expected_queries is 0, and max_triangles_per_leaf what was chosen.
+  /// As they were given, but for what was chosen: max_level is never automatic, expected_queries is 0, and
+  /// max_triangles_per_leaf what it led to.
   BuildOptions options() const noexcept;
   /// O(leaves).
   Stats stats() const;

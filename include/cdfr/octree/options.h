@@ -22,6 +22,8 @@ enum class Domain {
 };
 
 struct BuildOptions {
+  static constexpr int automatic_level = -1;
+
   /// Domain: the mesh's box grown by this share of its longest side. Queries beyond are exact too, and
   /// slower.
   double margin = 0.05;
@@ -31,8 +33,9 @@ struct BuildOptions {
   /// that the build and they take least: few queries get a field that is little more than a BVH. The default
   /// lists suit ten million. Answers never depend on it.
   std::uint64_t expected_queries = 0;
-  /// Deepest level of a leaf, 0 to 18; level 0 cells are the cubes of the brick.
-  int max_level = 5;
+  /// Deepest level of a leaf, 0 to 18; level 0 cells are the cubes of the brick. Automatic: 5, and deeper for long
+  /// and for fine parts, until a cell is about four triangles wide.
+  int max_level = automatic_level;
   /// A split is kept if the children's mean list is at most this share of the parent's, and leaves are few
   /// enough: about 2048, and 0.3 a triangle with lists of 320, as many more with shorter ones as those are
   /// shorter to the power of 1.5. 1 keeps every split.
