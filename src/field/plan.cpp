@@ -25,6 +25,8 @@ double seconds_since(Clock::time_point start) {
 
 /// One block in so many is built, those of like lists taken together.
 constexpr std::size_t sampled = 5;
+/// Small meshes have few blocks, no two alike: all are built.
+constexpr std::uint64_t small_mesh = 20000;
 
 /// Of a block's leaves and entries, what the sample's come to.
 struct Sample {
@@ -35,11 +37,12 @@ struct Sample {
 };
 
 /// The middle one of every five, in the order of their lists' lengths.
-std::vector<std::size_t> chosen(const BlockCut& cut) {
+std::vector<std::size_t> chosen(const FieldData& field, const BlockCut& cut) {
   std::vector<std::size_t> order(cut.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return cut.listed(a) < cut.listed(b); });
+  if (field.triangles.size() <= small_mesh) return order;
   std::vector<std::size_t> some;
   for (std::size_t i = std::min(sampled / 2, order.size() - 1); i < order.size(); i += sampled)
     some.push_back(order[i]);
@@ -49,7 +52,7 @@ std::vector<std::size_t> chosen(const BlockCut& cut) {
 Sample take_sample(const FieldData& field, BlockCut& cut, Progress& progress) {
   Sample sample;
   for (std::size_t i = 0; i < cut.size(); ++i) sample.listed_in_all += static_cast<double>(cut.listed(i));
-  const std::vector<std::size_t> some = chosen(cut);
+  const std::vector<std::size_t> some = chosen(field, cut);
   std::vector<Sample> parts(some.size());
   progress.phase(0.4, 1, static_cast<double>(some.size()));
   for_chunks(some.size(), 1, [&](std::size_t i, std::size_t) {
