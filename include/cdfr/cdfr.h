@@ -9,6 +9,7 @@
 #include "cdfr/core/types.h"                 // IWYU pragma: export
 #include "cdfr/export/write.h"               // IWYU pragma: export
 #include "cdfr/field/field.h"                // IWYU pragma: export
+#include "cdfr/field/plan.h"                 // IWYU pragma: export
 #include "cdfr/mesh/audit.h"                 // IWYU pragma: export
 #include "cdfr/mesh/flip.h"                  // IWYU pragma: export
 #include "cdfr/mesh/mesh.h"                  // IWYU pragma: export
@@ -21,5 +22,6 @@
 #include "cdfr/reference/uniform.h"          // IWYU pragma: export
 #include "cdfr/reference/uniform_contour.h"  // IWYU pragma: export
 #include "cdfr/render/splat.h"               // IWYU pragma: export
+#include "cdfr/store/build_file.h"           // IWYU pragma: export
 #include "cdfr/store/store.h"                // IWYU pragma: export
 #include "cdfr/version.h"                    // IWYU pragma: export
