@@ -120,13 +120,17 @@ bool FileCheck::in_bounds(format::Section section, Element first, Element end) c
     }
     case format::records: {
       const auto* records = elements<TriangleRecord>(section);
+      const auto* triangles = elements<ExactTriangle>(format::triangles);
       const bool is_signed = count(format::vertex_normals) > 0;
       return all_of(first, end, [&](Element i) {
         const TriangleRecord& r = records[i];
         bool good = r.number < count(section);
         for (std::size_t k = 0; k < 3 && is_signed; ++k) {
+          // A query on an edge looks up its normal; only one that is no edge has none.
+          const auto& corners = triangles[i].shape.vertices;
+          const bool is_edge = !(corners[k] == corners[(k + 1) % 3]);
           good = good && r.vertices[k] < count(format::vertex_normals) &&
-                 (r.edges[k] == no_index || r.edges[k] < count(format::edge_normals));
+                 (r.edges[k] == no_index ? !is_edge : r.edges[k] < count(format::edge_normals));
         }
         return good;
       });
@@ -219,11 +223,15 @@ std::size_t FileCheck::first_bad() const noexcept {
 }
 
 std::string FileCheck::place_text(std::size_t where) const {
-  std::size_t s = format::section_count;
-  while (s > 0 && places_.at[s - 1] > where) --s;
-  if (s == 0) return "head";
-  const std::uint64_t element = (where - places_.at[s - 1]) / format::element_size[s - 1];
-  return std::string(format::section_name[s - 1]) + ", element " + std::to_string(element);
+  const auto place = [this](std::size_t at) {
+    std::size_t s = format::section_count;
+    while (s > 0 && places_.at[s - 1] > at) --s;
+    if (s == 0) return std::string("head");
+    const std::uint64_t element = (at - places_.at[s - 1]) / format::element_size[s - 1];
+    return std::string(format::section_name[s - 1]) + " element " + std::to_string(element);
+  };
+  const std::size_t end = std::min(where + GuardedMap::block_size, bytes_.size());
+  return place(where) + " to " + place(end - 1);
 }
 
 }  // namespace cdfr

@@ -22,7 +22,7 @@ class FileCheck final : public BlockCheck {
 
   /// The first block whose checksum or numbers are bad; the file's size if there is none. O(size).
   std::size_t first_bad() const noexcept;
-  /// "entries, element 17" for a byte of the file.
+  /// "entries element 17 to records element 4" for the block that begins at that byte.
   std::string place_text(std::size_t where) const;
 
  private:

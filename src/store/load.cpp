@@ -1,5 +1,6 @@
 #include <xxhash.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -75,6 +76,10 @@ Result<format::Counts> checked_counts(Bytes bytes, const format::Head& head) {
   const std::uint64_t data_end = format::Places(counts).at[format::checksums];
   if (counts[format::checksums] != (data_end + GuardedMap::block_size - 1) / GuardedMap::block_size)
     return refusal(sizeof head, "directory: counts of checksums do not fit");
+  // What no checksum covers.
+  const auto tail = bytes.subspan(data_end + counts[format::checksums] * sizeof(std::uint64_t));
+  if (std::any_of(tail.begin(), tail.end(), [](std::byte b) { return b != std::byte{0}; }))
+    return refusal(data_end, "checksums: not zero behind them");
   return counts;
 }
 

@@ -67,7 +67,7 @@ Result<void> verify(const std::filesystem::path& path, const Run& run) {
     const std::size_t bad = file->check->first_bad();
     if (bad < file->map->open_bytes().size()) {
       return Error{Code::file_format, bad,
-                   file->check->place_text(bad) + " and on: damaged, at byte " + std::to_string(bad)};
+                   file->check->place_text(bad) + ": damaged, in the block at byte " + std::to_string(bad)};
     }
   }
   const Result<StoredField> stored = load(path);

@@ -104,7 +104,8 @@ TEST_F(StoreHostile, DamageIsMetWhereItIsRead) {
   EXPECT_EQ(save(stored.field, file("copy.cdfr")).error().code, Code::file_format);
   const Result<void> verified = verify(file("bad.cdfr"));
   ASSERT_FALSE(verified);
-  EXPECT_NE(verified.error().text.find("scan_groups"), std::string::npos) << verified.error().text;
+  EXPECT_EQ(verified.error().where, error.where);
+  EXPECT_NE(verified.error().text.find(" element "), std::string::npos) << verified.error().text;
 }
 
 TEST_F(StoreHostile, AFileThatIsCutShortUnderTheMap) {
