@@ -87,9 +87,9 @@ class Extraction {
           return static_cast<bool>(written_) && !progress_.cancelled();
         });
     if (!progress_.cancelled()) flush();
+    if (field_.failed()) return field_.status().error();
     if (progress_.cancelled()) return Progress::error();
     if (!written_) return written_.error();
-    if (field_.failed()) return field_.status().error();
     report_.visited = counts.visited;
     report_.evaluations += counts.evaluations;
     return report_;
@@ -149,6 +149,7 @@ Result<ContourReport> contour_points(const Field& field, double distance, const 
   }
   const Level level = level_of(data, distance);
   Progress progress(run);
+  progress.watch(data.map.get());
   Result<ContourReport> report = Progress::error();
   with_threads(run, [&] { report = Extraction(data, level, tolerance, sink, progress).run(); });
   return report;

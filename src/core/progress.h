@@ -6,6 +6,7 @@
 
 #include "cdfr/core/result.h"
 #include "cdfr/core/run.h"
+#include "core/guarded_map.h"
 
 namespace cdfr {
 
@@ -14,6 +15,9 @@ class Progress {
  public:
   explicit Progress(const Run& run) noexcept : run_(run) {}
 
+  /// From now on the work ends, as if it were cancelled, when the file that it reads has failed: what it reads then
+  /// may lead it anywhere.
+  void watch(const GuardedMap* map) noexcept { map_ = map; }
   /// What follows is `steps` steps that take the task from `from` to `to`.
   void phase(double from, double to, double steps) noexcept {
     from_ = from;
@@ -26,6 +30,7 @@ class Progress {
   }
   /// Lets the caller cancel inside a long step. False if it did.
   bool poll() noexcept {
+    if (map_ != nullptr && map_->failed()) cancelled_ = true;
     if (run_.tick != nullptr && !cancelled()) {
       const std::unique_lock lock(mutex_, std::try_to_lock);
       const double done = from_ + each_ * static_cast<double>(done_.load(std::memory_order_relaxed));
@@ -38,6 +43,7 @@ class Progress {
 
  private:
   const Run& run_;
+  const GuardedMap* map_ = nullptr;
   double from_ = 0, each_ = 0;
   std::atomic<std::uint64_t> done_{0};
   std::atomic<bool> cancelled_{false};

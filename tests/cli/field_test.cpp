@@ -174,5 +174,75 @@ TEST_F(FieldTest, QueriesChooseTheListsAndChangeNoAnswer) {
   EXPECT_EQ(run({"build", head, "-o", path("x.cdfr"), "--queries", "9", "--max-triangles", "8"}).status, 2);
 }
 
+TEST_F(FieldTest, MemoryPackingAndDomainsChangeNoAnswer) {
+  const std::string mesh = part("six-star", "star.stl");
+  put("p.csv", "0.1,0.2,0.3\n0.5,1.5,1.5\n4,5,6\n");
+  const auto answers = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{"build", mesh, "-o", path("f.cdfr"), "--quiet"};
+    words.insert(words.end(), options.begin(), options.end());
+    EXPECT_EQ(run(words).status, 0);
+    EXPECT_EQ(run({"info", path("f.cdfr"), "--verify", "--json"}).json()["verified"], true);
+    EXPECT_EQ(
+        run({"query", path("f.cdfr"), "--points", path("p.csv"), "-o", path("o.csv"), "--quiet"}).status, 0);
+    return text_of(path("o.csv"));
+  };
+  const std::string expected = answers({});
+  for (const std::vector<std::string>& options :
+       std::vector<std::vector<std::string>>{{"--memory", "1GiB"},
+                                             {"--compress"},
+                                             {"--fresh"},
+                                             {"--domain", "interior"},
+                                             {"--domain", "band:0.2"}}) {
+    EXPECT_EQ(answers(options), expected) << options.front();
+  }
+  EXPECT_EQ(run({"build", mesh, "-o", path("f.cdfr"), "--domain", "interior", "--json"})
+                .json()["leaves"]["outside"],
+            0);
+  const Outcome tight = run({"build", mesh, "-o", path("f.cdfr"), "--memory", "1KiB"});
+  EXPECT_EQ(tight.status, 2);
+  EXPECT_NE(tight.errors.find("needs at least"), std::string::npos) << tight.errors;
+  for (const char* size : {"0", "1", "GiB", "1.5GiB", "-1", "1 GiB", "99999999999TiB"}) {
+    EXPECT_EQ(run({"build", mesh, "-o", path("f.cdfr"), "--memory", size}).status, 2) << size;
+  }
+  for (const char* domain : {"all", "band", "band:", "band:0", "band:x", "band:inf"}) {
+    EXPECT_EQ(run({"build", mesh, "-o", path("f.cdfr"), "--domain", domain}).status, 2) << domain;
+  }
+}
+
+TEST_F(FieldTest, APlanIsCloseToTheField) {
+  const std::string mesh = part("cylinder-head", "head.stl");
+  const json plan = run({"build", mesh, "--plan", "--json"}).json()["plan"];
+  const json built = run({"build", mesh, "-o", path("h.cdfr"), "--json"}).json();
+  EXPECT_EQ(plan["triangles"], built["triangles"]);
+  EXPECT_NEAR(plan["bytes"].get<double>() / built["bytes"].get<double>(), 1, 0.25);
+  double leaves = 0;
+  for (const auto& kind : built["leaves"]) leaves += kind.get<double>();
+  EXPECT_NEAR(plan["leaves"].get<double>() / leaves, 1, 0.25);
+  EXPECT_GT(plan["seconds"].get<double>(), 0);
+  EXPECT_FALSE(std::filesystem::exists(path("h.cdfr.work")));
+  EXPECT_EQ(run({"build", mesh}).status, 2);
+}
+
+TEST_F(FieldTest, DamageIsToldByEveryVerb) {
+  const std::string mesh = part("cylinder-head", "head.stl");
+  ASSERT_EQ(run({"build", mesh, "-o", path("h.cdfr"), "--quiet"}).status, 0);
+  std::string bytes = text_of(path("h.cdfr"));
+  for (std::size_t at = 300000; at < bytes.size() - 300000; at += 100000) bytes[at] ^= 1;
+  put("h.cdfr", bytes);
+  put("p.csv", "100,100,100\n10,20,30\n");
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"info", path("h.cdfr")},
+           {"info", path("h.cdfr"), "--verify"},
+           {"query", path("h.cdfr"), "--points", path("p.csv"), "-o", path("o.csv")},
+           {"grid", path("h.cdfr"), "--resolution", "20", "-o", path("g.npy")},
+           {"contour", path("h.cdfr"), "--distance", "1", "--tolerance", "5", "-o", path("c.ply")}}) {
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.status, 1) << words.front();
+    EXPECT_NE(outcome.errors.find("damaged"), std::string::npos) << outcome.errors;
+  }
+  for (const char* name : {"o.csv", "g.npy", "c.ply"})
+    EXPECT_FALSE(std::filesystem::exists(path(name))) << name;
+}
+
 }  // namespace
 }  // namespace cdfr

@@ -85,7 +85,6 @@ void build(const Arguments& arguments) {
   Settings to_read = arguments.settings;
   to_read.build_options.clear();  // they were for the build
   Input input = open_input(arguments.output, to_read);
-  note_sign(input.field, arguments.settings);
   input.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (arguments.settings.json) {
     Json report = field_json(arguments.input, input);

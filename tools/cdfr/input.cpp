@@ -23,6 +23,13 @@ constexpr std::string_view saved_magic = "cdfr\r\n\x1a\n";
 constexpr const char* no_inside =
     "the field is unsigned (sign: none), so there is no inside and no depth; see cdfr audit";
 
+/// Says that the sign was chosen, and why not the usual one.
+void note_sign(const Field& field, const Settings& settings) {
+  if (settings.quiet || field.options().sign != Sign::automatic || field.sign() == Sign::pseudonormal) return;
+  std::fprintf(stderr, "note: sign by %s: %s\n", sign_text(field.sign()),
+               sign_reason(field.report()).c_str());
+}
+
 Input build_mesh(const std::filesystem::path& path, const Settings& settings, Demand demand) {
   if (demand == Demand::inside && settings.build.sign == Sign::none) stop_failed(path, no_inside);
   Mesh mesh = need(read_mesh(path), path);
@@ -44,12 +51,6 @@ Input load_field(const std::filesystem::path& path, const Settings& settings) {
 
 }  // namespace
 
-void note_sign(const Field& field, const Settings& settings) {
-  if (settings.quiet || field.options().sign != Sign::automatic || field.sign() == Sign::pseudonormal) return;
-  std::fprintf(stderr, "note: sign by %s: %s\n", sign_text(field.sign()),
-               sign_reason(field.report()).c_str());
-}
-
 bool is_saved_field(const std::filesystem::path& path) {
   if (extension_of(path) == ".cdfr") return true;
   std::error_code ignored;
@@ -64,7 +65,7 @@ Input open_input(const std::filesystem::path& path, const Settings& settings, De
   const auto start = std::chrono::steady_clock::now();
   Input input = is_saved_field(path) ? load_field(path, settings) : build_mesh(path, settings, demand);
   if (demand == Demand::inside && input.field.sign() == Sign::none) stop_failed(path, no_inside);
-  if (input.mesh) note_sign(input.field, settings);
+  note_sign(input.field, settings);
   input.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return input;
 }

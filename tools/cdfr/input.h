@@ -26,9 +26,6 @@ enum class Demand {
   inside,  ///< one that tells inside from outside
 };
 
-/// Says on standard error that the sign was chosen, and why not the usual one.
-void note_sign(const Field& field, const Settings& settings);
-
 /// Ends the program (Stop) if the mesh or field cannot be had, or does not meet the demand: for a mesh that
 /// is found before it is built.
 Input open_input(const std::filesystem::path& path, const Settings& settings,
