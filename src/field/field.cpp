@@ -8,6 +8,7 @@
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "field/batch.h"
+#include "field/batch_order.h"
 #include "field/build_field.h"
 #include "field/field_data.h"
 #include "field/grid_query.h"
@@ -20,6 +21,24 @@ namespace {
 
 /// Points a task answers.
 constexpr std::size_t batch_chunk = 2048;
+/// Fewer points are not worth an order; more are taken in rounds of so many, whose order takes 50 MB.
+constexpr std::size_t least_ordered = std::size_t{1} << 14, most_ordered = std::size_t{1} << 22;
+
+/// x[first] .. x[first + count - 1], in the order in which they are answered best.
+template <class Answer>
+void answer_ordered(const FieldData& field, Points x, std::size_t first, std::size_t count,
+                    std::span<Answer> out, Progress& progress) {
+  const std::vector<std::uint32_t> order = along_curve(field, x, first, count);
+  for_chunks(count, batch_chunk, [&](std::size_t begin, std::size_t end) {
+    if (progress.cancelled()) return;
+    std::vector<Vec3> points;
+    std::vector<Answer> answers(end - begin);
+    for (std::size_t i = begin; i < end; ++i) points.push_back(x[first + order[i]]);
+    if (!answer(field, Points(points), 0, std::span<Answer>(answers), progress)) return;
+    for (std::size_t i = begin; i < end; ++i) out[first + order[i]] = answers[i - begin];
+    progress.step();
+  });
+}
 
 template <class Answer>
 Result<void> answer_all(const FieldData& field, Points x, std::span<Answer> out, const Run& run) {
@@ -27,6 +46,11 @@ Result<void> answer_all(const FieldData& field, Points x, std::span<Answer> out,
   Progress progress(run);
   progress.phase(0, 1, static_cast<double>((x.size() + batch_chunk - 1) / batch_chunk));
   with_threads(run, [&] {
+    if (x.size() >= least_ordered) {
+      for (std::size_t first = 0; first < x.size(); first += most_ordered)
+        answer_ordered(field, x, first, std::min(most_ordered, x.size() - first), out, progress);
+      return;
+    }
     for_chunks(x.size(), batch_chunk, [&](std::size_t first, std::size_t end) {
       if (progress.cancelled()) return;
       if (answer(field, x, first, out.subspan(first, end - first), progress)) progress.step();

@@ -159,6 +159,14 @@ class FileBuild {
   }
 
   Result<FileBuildReport> build() {
+    progress_.watch(field_.map.get());
+    const Result<FileBuildReport> report = finished();
+    // What was prepared may turn out to be damaged: that is the reason then.
+    if (!report && field_.failed()) return field_.status().error();
+    return report;
+  }
+
+  Result<FileBuildReport> finished() {
     Result<PartFiles> parts = PartFiles::open(work_.path());
     if (!parts) return parts.error();
     BlockCut cut(field_.space(), field_.tree.lattice, field_.options, progress_, cells_left_out(field_));
