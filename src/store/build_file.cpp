@@ -121,7 +121,7 @@ class FileBuild {
     if (!job) return job.error();
     if (options_.fresh || read_job(inside("job")) != *job) {
       work_.clear();
-      if (Result<void> room = check_disk(work_.path(), disk_for(mesh_size())); !room) return room.error();
+      if (Result<void> room = check_disk(work_.path(), disk_for(mesh_)); !room) return room.error();
       if (Result<void> written = write_job(inside("job"), *job); !written) return written.error();
     }
     if (Result<void> ready = prepare(); !ready) return ready.error();
@@ -131,10 +131,6 @@ class FileBuild {
  private:
   std::filesystem::path inside(const char* name) const { return work_.path() / name; }
   const Scratch* scratch() const noexcept { return options_.memory == 0 ? nullptr : &scratch_; }
-  std::uint64_t mesh_size() const {
-    std::error_code ignored;
-    return std::filesystem::file_size(mesh_, ignored);
-  }
 
   /// Everything but the octree, as a file of its own; from then on mapped from there.
   Result<void> prepare() {

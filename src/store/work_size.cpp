@@ -30,9 +30,14 @@ std::uint64_t least_memory(const std::filesystem::path& mesh, unsigned threads) 
   return fixed + 2 * workers * a_block + reading;
 }
 
-/// A binary STL has 50 bytes a triangle, other formats seldom less than 25. Of a triangle, 700 bytes are
-/// scratch while topology and tree are made, or 350 the prepared file, 300 the octree's parts and 600 the
-/// field.
-std::uint64_t disk_for(std::uint64_t mesh_size) { return 32 * mebi + mesh_size / 50 * 1250; }
+/// A binary STL has 50 bytes a triangle, other formats seldom less than 24. A triangle takes 84 bytes as
+/// mesh, 550 while topology and normals are made and 260 as prepared file; or 260, 100 as parts of the octree
+/// and 360 as field.
+std::uint64_t disk_for(const std::filesystem::path& mesh) {
+  const auto file = MappedFile::open(mesh);
+  if (!file) return 0;
+  const std::uint64_t triangles = file->bytes().size() / (is_binary_stl(file->bytes()) ? 50 : 24);
+  return 32 * mebi + 900 * triangles;
+}
 
 }  // namespace cdfr

@@ -10,7 +10,7 @@ namespace cdfr {
 /// formats other than binary STL the mesh while it is read.
 std::uint64_t least_memory(const std::filesystem::path& mesh, unsigned threads);
 
-/// Disk that build_file takes at its peak, about, for a mesh file of that size.
-std::uint64_t disk_for(std::uint64_t mesh_size);
+/// Disk that build_file takes at its peak, about.
+std::uint64_t disk_for(const std::filesystem::path& mesh);
 
 }  // namespace cdfr
