@@ -220,5 +220,32 @@ TEST_F(BuildFile, AFullDiskLeavesTheOldFile) {
   EXPECT_TRUE(bytes_of(file()) == expected(path, options));
 }
 
+#ifndef __SANITIZE_ADDRESS__
+/// The kernel counts: what is private and writable, whether it is used or not, may not exceed what was
+/// promised.
+TEST_F(BuildFile, WorksWithinItsMemory) {
+  const auto path = mesh_file(make_part("cylinder-head", 6).value());
+  FileBuildOptions options;
+  options.memory = mebi;
+  const std::string text = build_file(path, file(), options).error().text;
+  const std::uint64_t least = std::stoull(text.substr(text.find_first_of("0123456789"))) * mebi;
+  const auto status_under = [&](std::uint64_t memory) {
+    options.memory = memory;
+    return in_child(path, options, [least] {
+      const struct rlimit data { least, least };
+      ::setrlimit(RLIMIT_DATA, &data);
+    });
+  };
+  const int bounded = status_under(least);
+  ASSERT_TRUE(WIFEXITED(bounded));
+  EXPECT_EQ(WEXITSTATUS(bounded), 0);
+  EXPECT_TRUE(load(file()));
+  // Without a bound it takes more than that, so the limit does bite.
+  options.fresh = true;
+  const int unbounded = status_under(0);
+  EXPECT_FALSE(WIFEXITED(unbounded) && WEXITSTATUS(unbounded) == 0);
+}
+#endif
+
 }  // namespace
 }  // namespace cdfr
