@@ -16,7 +16,7 @@
 namespace cdfr {
 namespace {
 
-constexpr std::size_t page = 4096;
+const std::size_t page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 constexpr std::size_t most_maps = 1000;
 
 /// Where an open map lies, for the handler: a fault inside means that the map is alive.
