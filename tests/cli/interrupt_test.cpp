@@ -2,6 +2,7 @@
 #include <signal.h>
 
 #include <chrono>
+#include <filesystem>
 #include <cmath>
 #include <thread>
 
@@ -60,12 +61,14 @@ class InterruptTest : public CliTest {
 
 TEST_F(InterruptTest, ABuildEndsWithTheStatusOfItsSignalAndNoFile) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    const Outcome outcome = interrupted(endless_build(), signal, [] { return true; });
+    const auto working = [this] { return std::filesystem::exists(path("sheet.cdfr.work")); };
+    const Outcome outcome = interrupted(endless_build(), signal, working);
     EXPECT_EQ(outcome.status, 128 + signal) << outcome.errors;
     EXPECT_TRUE(outcome.one_error_line()) << outcome.errors;
     EXPECT_EQ(outcome.output, "");
     // What is left is for the same command to go on with.
     EXPECT_EQ(names_but({"sheet.ply"}), std::vector<std::string>{"sheet.cdfr.work"});
+    std::filesystem::remove_all(path("sheet.cdfr.work"));
   }
 }
 
