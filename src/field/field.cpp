@@ -32,6 +32,7 @@ void answer_ordered(const FieldData& field, Points x, std::size_t first, std::si
   for_chunks(count, batch_chunk, [&](std::size_t begin, std::size_t end) {
     if (progress.cancelled()) return;
     std::vector<Vec3> points;
+    points.reserve(end - begin);
     std::vector<Answer> answers(end - begin);
     for (std::size_t i = begin; i < end; ++i) points.push_back(x[first + order[i]]);
     if (!answer(field, Points(points), 0, std::span<Answer>(answers), progress)) return;
