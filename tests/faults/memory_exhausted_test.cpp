@@ -144,7 +144,7 @@ TEST(MemoryExhausted, NotByBatches) {
     const std::size_t before = asked_for;
     ASSERT_TRUE(field.distance(Points(rows.data(), count, stride), out));
     const std::size_t ordered = count < 16384 ? 0 : count * (12 + sizeof(Vec3) + sizeof(double));
-    EXPECT_LE(asked_for - before, (std::size_t{256} << 10) + ordered) << count;
+    EXPECT_LE(asked_for - before, (std::size_t{64} << 10) + ordered) << count;
     EXPECT_EQ(out[count - 1], field.distance(Points(rows.data(), count, stride)[count - 1]));
   }
 }
