@@ -76,7 +76,7 @@ class Extraction {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     report_.box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
     report_.subvoxel = subvoxel_of(field.tree.lattice, tolerance);
-    report_.leaves = field.first_leaf.back();
+    report_.leaves = field.tree.leaves.size();
   }
 
   Result<ContourReport> run() {

@@ -35,15 +35,16 @@ class Regions {
  private:
   /// Of each block, the leaves that pass. A leaf whose list starts too far away is not even sampled.
   std::vector<std::vector<Cube>> visited_leaves() {
-    const std::vector<Block>& blocks = field_.tree.blocks;
-    std::vector<std::vector<Cube>> visited(blocks.size());
-    std::vector<std::uint64_t> evaluations(blocks.size());
-    for_chunks(blocks.size(), 1, [&](std::size_t i, std::size_t) {
-      for_each_leaf(blocks[i], [&](const Cell& cell, std::uint32_t number) {
+    const std::size_t blocks = field_.tree.block_count();
+    std::vector<std::vector<Cube>> visited(blocks);
+    std::vector<std::uint64_t> evaluations(blocks);
+    for_chunks(blocks, 1, [&](std::size_t i, std::size_t) {
+      const Block block = field_.tree.block(i);
+      for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
         const Lattice& lattice = field_.tree.lattice;
         const Cube cube{lattice.box(cell).lo, lattice.size(cell.level)};
-        const LeafRecord& leaf = blocks[i].leaves[number];
-        const double least = blocks[i].entries[leaf.first].distance() * lattice.edge;
+        const LeafRecord& leaf = block.leaves[number];
+        const double least = block.entries[leaf.first].distance() * lattice.edge;
         if (level_.jumps && leaf.side() == level_.other_side()) return;
         if (least > level_.height + cube.half_diagonal() + level_.rounding || !progress_.poll()) return;
         ++evaluations[i];

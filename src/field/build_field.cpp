@@ -50,13 +50,6 @@ void derive_far_side(FieldData& field) noexcept {
   if (field.sign == Sign::winding && field.report.balanced()) field.far_side = 1;
 }
 
-void count_leaves(FieldData& field) {
-  field.first_leaf.assign(1, 0);
-  for (const Block& block : field.tree.blocks) {
-    field.first_leaf.push_back(field.first_leaf.back() + block.leaves.size());
-  }
-}
-
 void lay_lattice(FieldData& field, const Scratch* scratch) {
   field.tree.lattice = lattice_for(field.bounds(), field.options.margin);
   int& level = field.options.max_level;

@@ -21,9 +21,8 @@ Result<FieldData> build_field(MeshView mesh, const BuildOptions& options, const 
 
 /// far_side, from the report.
 void derive_far_side(FieldData& field) noexcept;
-/// first_leaf, from the blocks.
-void count_leaves(FieldData& field);
-/// The lattice, the deepest level if that is automatic, and the groups of the scan. Runs in the caller's task arena.
+/// The lattice, the deepest level if that is automatic, and the groups of the scan. Runs in the caller's task
+/// arena.
 void lay_lattice(FieldData& field, const Scratch* scratch = nullptr);
 
 }  // namespace cdfr

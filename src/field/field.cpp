@@ -111,18 +111,17 @@ const MeshReport& Field::report() const noexcept { return data_->report; }
 BuildOptions Field::options() const noexcept { return data_->options; }
 Stats Field::stats() const { return stats_of(*data_); }
 std::uint64_t Field::checksum() const { return checksum_of(*data_); }
-std::size_t Field::leaf_count() const noexcept { return data_->first_leaf.back(); }
+std::size_t Field::leaf_count() const noexcept { return data_->tree.leaves.size(); }
 
 Leaf Field::leaf(std::size_t i) const {
   assert(i < leaf_count());
-  const auto& first = data_->first_leaf;
-  const auto block_number =
-      static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), i) - first.begin() - 1);
-  const Block& block = data_->tree.blocks[block_number];
-  const LeafRecord& record = block.leaves[i - first[block_number]];
+  const std::size_t block_number = data_->tree.block_of_leaf(i);
+  const Block block = data_->tree.block(block_number);
+  const std::uint64_t first = data_->tree.starts[block_number].leaf;
+  const LeafRecord& record = block.leaves[i - first];
   Leaf leaf;
   for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
-    if (first[block_number] + number != i) return;
+    if (first + number != i) return;
     leaf.key = key_of(cell);
     leaf.level = cell.level;
     leaf.box = data_->tree.lattice.box(cell);

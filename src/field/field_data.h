@@ -31,7 +31,6 @@ struct FieldData {
   /// pseudonormals decide, 0 where it depends on the point.
   int far_side = 0;
   std::shared_ptr<const GuardedMap> map;  ///< that the arrays lie in, if they are a file's
-  std::vector<std::uint64_t> first_leaf;  ///< leaves before each block
   LeafIndex index;
   LeafWindings leaf_windings;  ///< where winding decides
   Array<ScanGroup> scan_groups;

@@ -84,7 +84,6 @@ void take_blocks(FieldData& field, Octree upper, std::vector<FinishedBlock> bloc
   }
   join(upper, std::move(bare));
   field.tree = std::move(upper);
-  count_leaves(field);
   field.index = LeafIndex(field.tree);
   field.leaf_windings = leaf_windings(std::move(windings));
 }

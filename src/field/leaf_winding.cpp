@@ -52,7 +52,7 @@ Reference reference_of(const Lattice& lattice, const Cell& cell) noexcept {
 /// What a block's leaves come to know.
 class BlockWindings {
  public:
-  explicit BlockWindings(const FieldData& field) : field_(field), block_(field.tree.blocks[0]) {
+  explicit BlockWindings(const FieldData& field) : field_(field), block_(field.tree.block(0)) {
     for_each_leaf(block_, [&](const Cell& cell, std::uint32_t leaf) {
       const Side side = block_.leaves[leaf].side();
       const bool is_needed = side == Side::surface || side == Side::undecided;
@@ -92,7 +92,7 @@ class BlockWindings {
   }
 
   const FieldData& field_;
-  const Block& block_;
+  Block block_;
   LeafWindingLists all_;
 };
 

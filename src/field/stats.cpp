@@ -38,9 +38,8 @@ std::uint64_t total_bytes(const FieldData& field) noexcept {
          field.bvh.nodes.bytes() + field.pseudonormals.edges.bytes() + field.pseudonormals.vertices.bytes() +
          winding.nodes.bytes() + winding.boundary.edges.bytes() + winding.boundary.first.bytes() +
          winding.boundary.lengths.bytes() + tree.top.bytes() + tree.nodes.bytes() + tree.leaves.bytes() +
-         tree.entries.bytes() + tree.blocks.size() * sizeof(Block) + tree.levels.size() * sizeof(LevelStats) +
-         field.first_leaf.size() * sizeof(std::uint64_t) + field.index.bytes() + field.leaf_windings.bytes() +
-         field.scan_groups.bytes();
+         tree.entries.bytes() + tree.starts.bytes() + tree.levels.size() * sizeof(LevelStats) +
+         field.index.bytes() + field.leaf_windings.bytes() + field.scan_groups.bytes();
 }
 
 std::vector<std::uint32_t> slots_of(const FieldData& field, const Block& block, const LeafRecord& leaf) {
@@ -66,7 +65,8 @@ Stats stats_of(const FieldData& field) {
   stats.bytes = total_bytes(field);
   std::vector<std::uint64_t> lengths;
   std::vector<std::uint64_t> by_level(stats.levels.size());
-  for (const Block& block : field.tree.blocks) {
+  for (std::size_t i = 0; i < field.tree.block_count(); ++i) {
+    const Block block = field.tree.block(i);
     stats.entries += block.entries.size();
     for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
       const LeafRecord& leaf = block.leaves[number];
@@ -101,7 +101,8 @@ std::uint64_t checksum_of(const FieldData& field) {
   for (const TriangleRecord& record : field.triangles.records) {
     XXH64_update(state.get(), &record.number, sizeof record.number);
   }
-  for (const Block& block : field.tree.blocks) {
+  for (std::size_t i = 0; i < field.tree.block_count(); ++i) {
+    const Block block = field.tree.block(i);
     for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
       const LeafRecord& leaf = block.leaves[number];
       const std::array<std::uint64_t, 2> head{key_of(cell), leaf.count_and_side};

@@ -1,5 +1,6 @@
 #include "octree/blocks.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace cdfr {
@@ -18,46 +19,48 @@ Array<T> joined(std::vector<Block>& blocks, Array<T> Block::*part) {
   return all;
 }
 
-/// Takes the next `count` values; false if there are fewer.
+/// False if they are not all there.
 template <class T>
-bool take(const Array<T>& all, std::uint64_t& from, std::uint64_t count, Array<T>& part) {
-  if (count > all.size() - from) return false;
-  part = all.part(from, count);
-  from += count;
+bool take(const Array<T>& all, std::uint64_t first, std::uint64_t end, Array<T>& part) {
+  if (first > end || end > all.size()) return false;
+  part = all.part(first, end - first);
   return true;
+}
+
+Block single_leaf(std::uint64_t key) {
+  return {key, std::vector{TreeNode::leaf(0)}, std::vector{LeafRecord{0, 1U << 2}},
+          std::vector{Entry::of_group(0, 0, 0xff)}};
 }
 
 }  // namespace
 
-bool divide(Octree& tree, std::span<const BlockSize> sizes) {
-  std::uint64_t node = 0, leaf = 0, entry = 0;
-  tree.blocks.assign(sizes.size(), {});
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    Block& block = tree.blocks[i];
-    block.key = sizes[i].key;
-    if (!take(tree.nodes, node, sizes[i].nodes, block.nodes) ||
-        !take(tree.leaves, leaf, sizes[i].leaves, block.leaves) ||
-        !take(tree.entries, entry, sizes[i].entries, block.entries)) {
-      return false;
-    }
-  }
-  return node == tree.nodes.size() && leaf == tree.leaves.size() && entry == tree.entries.size();
+Block Octree::block(std::size_t number) const {
+  const BlockStart from = starts[number], to = starts[number + 1];
+  Block block;
+  block.key = from.key;
+  const bool whole = take(nodes, from.node, to.node, block.nodes) &&
+                     take(leaves, from.leaf, to.leaf, block.leaves) &&
+                     take(entries, from.entry, to.entry, block.entries);
+  return whole && !block.nodes.empty() && !block.leaves.empty() ? block : single_leaf(from.key);
 }
 
-std::vector<BlockSize> sizes_of(const Octree& tree) {
-  std::vector<BlockSize> sizes;
-  for (const Block& b : tree.blocks)
-    sizes.push_back({b.key, b.nodes.size(), b.leaves.size(), b.entries.size()});
-  return sizes;
+std::size_t Octree::block_of_leaf(std::uint64_t leaf) const noexcept {
+  const auto begins_behind = [](std::uint64_t i, const BlockStart& start) { return i < start.leaf; };
+  const auto last = starts.end() - 1;
+  return static_cast<std::size_t>(std::upper_bound(starts.begin() + 1, last, leaf, begins_behind) -
+                                  starts.begin() - 1);
 }
 
 void join(Octree& tree, std::vector<Block> blocks) {
-  tree.blocks = std::move(blocks);
-  const std::vector<BlockSize> sizes = sizes_of(tree);
-  tree.nodes = joined(tree.blocks, &Block::nodes);
-  tree.leaves = joined(tree.blocks, &Block::leaves);
-  tree.entries = joined(tree.blocks, &Block::entries);
-  divide(tree, sizes);
+  std::vector<BlockStart> starts(1);
+  for (const Block& block : blocks) {
+    starts.back().key = block.key;
+    starts.push_back(starts.back().next(block.nodes.size(), block.leaves.size(), block.entries.size()));
+  }
+  tree.starts = std::move(starts);
+  tree.nodes = joined(blocks, &Block::nodes);
+  tree.leaves = joined(blocks, &Block::leaves);
+  tree.entries = joined(blocks, &Block::entries);
 }
 
 Octree alone(const Lattice& lattice, const Block& block) {
@@ -66,7 +69,8 @@ Octree alone(const Lattice& lattice, const Block& block) {
   tree.nodes = block.nodes;
   tree.leaves = block.leaves;
   tree.entries = block.entries;
-  tree.blocks = {block};
+  tree.starts = std::vector{BlockStart{block.key},
+                            BlockStart{}.next(block.nodes.size(), block.leaves.size(), block.entries.size())};
   const Cell root = cell_of(block.key);
   std::vector<TreeNode> top(1);
   std::size_t at = 0;

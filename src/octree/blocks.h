@@ -3,7 +3,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "cdfr/octree/leaf.h"
@@ -99,10 +98,15 @@ struct Block {
   Array<Entry> entries;
 };
 
-/// What a block takes of the octree's arrays.
-struct BlockSize {
+/// Where a block begins in the octree's arrays.
+struct BlockStart {
   std::uint64_t key = 0;
-  std::uint64_t nodes = 0, leaves = 0, entries = 0;
+  std::uint64_t node = 0, leaf = 0, entry = 0;
+
+  /// Where the next one begins, if this one has so many.
+  BlockStart next(std::uint64_t nodes, std::uint64_t leaves, std::uint64_t entries) const noexcept {
+    return {0, node + nodes, leaf + leaves, entry + entries};
+  }
 };
 
 /// Blocks in Morton order, and the tree above them. The cut into blocks is a function of mesh and options
@@ -115,15 +119,19 @@ struct Octree {
   Array<TreeNode> nodes;
   Array<LeafRecord> leaves;
   Array<Entry> entries;
-  std::vector<Block> blocks;  ///< their parts of the three above
+  /// Where each block begins, and where the last one ends. Empty without blocks.
+  Array<BlockStart> starts;
   std::vector<LevelStats> levels;
 
   static constexpr std::uint32_t no_block = 0x7fffffffU;
+
+  std::size_t block_count() const noexcept { return starts.empty() ? 0 : starts.size() - 1; }
+  /// Its parts of the arrays above; of a forged file whose starts make no sense, one leaf.
+  Block block(std::size_t number) const;
+  /// The block that holds a leaf of the whole octree. O(log blocks).
+  std::size_t block_of_leaf(std::uint64_t leaf) const noexcept;
 };
 
-/// Gives each block its part of the octree's arrays. False if they are not as long as the sizes say.
-bool divide(Octree& tree, std::span<const BlockSize> sizes);
-std::vector<BlockSize> sizes_of(const Octree& tree);
 /// Moves the arrays of blocks that were built on their own one after another; theirs are given up on the way.
 void join(Octree& tree, std::vector<Block> blocks);
 /// An octree of one block, the others missing.

@@ -28,14 +28,14 @@ class LeafIndex::Maker {
 
   Tables made() {
     choose_grid();
-    cover(Cell{}, entered({&tree_.top, tree_.top[0], 0}));
+    cover(Cell{}, entered({tree_.top.data(), tree_.top[0], 0}));
     return {grid_level_, std::move(grid_), std::move(nodes_), std::move(leaves_)};
   }
 
  private:
   /// A node of the top tree or of a block whose leaves are numbered from first_leaf on.
   struct At {
-    const Array<TreeNode>* nodes;
+    const TreeNode* nodes;
     TreeNode node;
     std::uint32_t first_leaf;
   };
@@ -52,22 +52,22 @@ class LeafIndex::Maker {
   }
 
   bool in_no_block(const At& at) const noexcept {
-    return at.nodes == &tree_.top && at.node.is_leaf() && at.node.leaf_number() == Octree::no_block;
+    return at.nodes == tree_.top.data() && at.node.is_leaf() && at.node.leaf_number() == Octree::no_block;
   }
 
   /// From a leaf of the top tree to the root of its block. Blocks are entered once each, in order.
   At entered(const At& at) {
-    if (at.nodes != &tree_.top || !at.node.is_leaf() || in_no_block(at)) return at;
-    const Block& block = tree_.blocks[at.node.leaf_number()];
+    if (at.nodes != tree_.top.data() || !at.node.is_leaf() || in_no_block(at)) return at;
+    const Block block = tree_.block(at.node.leaf_number());
     const auto first = static_cast<std::uint32_t>(leaves_.size());
     for (const LeafRecord& leaf : block.leaves)
       leaves_.push_back({first_entry_ + leaf.first, leaf.count_and_side, 0});
     first_entry_ += block.entries.size();
-    return {&block.nodes, block.nodes[0], first};
+    return {block.nodes.data(), block.nodes[0], first};
   }
 
   At child(const At& at, std::uint32_t number) {
-    return entered({at.nodes, (*at.nodes)[at.node.first_child() + number], at.first_leaf});
+    return entered({at.nodes, at.nodes[at.node.first_child() + number], at.first_leaf});
   }
 
   void cover(const Cell& cell, const At& at) {
@@ -109,12 +109,12 @@ class LeafIndex::Maker {
 };
 
 LeafIndex::LeafIndex(const Octree& tree, const Scratch* scratch)
-    : LeafIndex(tree, tree.blocks.empty() ? Tables{} : Maker(tree, scratch).made()) {}
+    : LeafIndex(tree, tree.block_count() == 0 ? Tables{} : Maker(tree, scratch).made()) {}
 
 LeafIndex::LeafIndex(const Octree& tree, Tables tables)
     : origin_(tree.lattice.origin), scale_(1 / tree.lattice.edge), tables_(std::move(tables)) {
-  if (tree.blocks.empty()) return;
-  domain_ = tree.blocks.size() == 1 ? tree.lattice.box(cell_of(tree.blocks[0].key)) : tree.lattice.domain();
+  if (tree.block_count() == 0) return;
+  domain_ = tree.block_count() == 1 ? tree.lattice.box(cell_of(tree.starts[0].key)) : tree.lattice.domain();
   grid_level_ = tables_.grid_level;
   for (int axis = 0; axis < 3; ++axis) cells_[axis] = tree.lattice.bricks[axis] << grid_level_;
   leaf_count_ = tables_.leaves.size();

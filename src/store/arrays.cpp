@@ -71,7 +71,7 @@ Arrays arrays_of(const FieldData& field, const std::string& unit) {
           std::vector{field.report},
           levels_of(field.tree),
           field.tree.top,
-          sizes_of(field.tree),
+          field.tree.starts,
           index.grid,
           index.nodes,
           index.leaves,
@@ -94,7 +94,7 @@ Arrays arrays_of(const FieldData& field, const std::string& unit) {
           boundary.lengths};
 }
 
-bool take_arrays(const Arrays& a, FieldData& field) {
+void take_arrays(const Arrays& a, FieldData& field) {
   apply(a.settings[0], field);
   field.report = a.report[0];
   field.triangles = {a.triangles, a.records};
@@ -109,12 +109,10 @@ bool take_arrays(const Arrays& a, FieldData& field) {
   tree.leaves = a.block_leaves;
   tree.entries = a.entries;
   tree.levels = stats_of(a.levels);
-  if (!divide(tree, a.block_sizes)) return false;
+  tree.starts = a.block_starts;
   field.index = LeafIndex(
       tree, {static_cast<int>(a.settings[0].index_level), a.index_grid, a.index_nodes, a.index_leaves});
   derive_far_side(field);
-  count_leaves(field);
-  return true;
 }
 
 }  // namespace cdfr

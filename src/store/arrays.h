@@ -15,7 +15,7 @@ struct Arrays {
   Array<MeshReport> report;
   Array<format::Level> levels;
   Array<TreeNode> top;
-  Array<BlockSize> block_sizes;
+  Array<BlockStart> block_starts;
   Array<TreeNode> index_grid, index_nodes;
   Array<LeafIndex::Leaf> index_leaves;
   Array<Entry> entries;
@@ -44,7 +44,7 @@ void for_each_array(Arrays& a, Visit visit) {
   visit(format::report, a.report);
   visit(format::levels, a.levels);
   visit(format::top, a.top);
-  visit(format::block_sizes, a.block_sizes);
+  visit(format::block_starts, a.block_starts);
   visit(format::index_grid, a.index_grid);
   visit(format::index_nodes, a.index_nodes);
   visit(format::index_leaves, a.index_leaves);
@@ -70,8 +70,8 @@ void for_each_array(Arrays& a, Visit visit) {
 /// Shares what is large.
 Arrays arrays_of(const FieldData& field, const std::string& unit);
 
-/// The field of these arrays. False if blocks do not add up. Preconditions: settings and report have one
-/// element, there is a node of the BVH.
-bool take_arrays(const Arrays& arrays, FieldData& field);
+/// The field of these arrays. Preconditions: settings and report have one element, there is a node of the
+/// BVH.
+void take_arrays(const Arrays& arrays, FieldData& field);
 
 }  // namespace cdfr

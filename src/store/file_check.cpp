@@ -62,13 +62,7 @@ void fill_with(std::byte* at, std::size_t bytes, std::size_t skipped, const T& v
 }  // namespace
 
 FileCheck::FileCheck(std::span<const std::byte> bytes, const format::Counts& counts)
-    : bytes_(bytes), counts_(counts), places_(counts), first_node_(1), first_leaf_(1) {
-  const auto* sizes = elements<BlockSize>(format::block_sizes);
-  for (std::uint64_t i = 0; i < counts[format::block_sizes]; ++i) {
-    first_node_.push_back(first_node_.back() + sizes[i].nodes);
-    first_leaf_.push_back(first_leaf_.back() + sizes[i].leaves);
-  }
-}
+    : bytes_(bytes), counts_(counts), places_(counts) {}
 
 bool FileCheck::sums_up(std::size_t first, std::size_t end) const noexcept {
   const std::size_t data_end = places_.at[format::checksums];
@@ -79,14 +73,33 @@ bool FileCheck::sums_up(std::size_t first, std::size_t end) const noexcept {
 
 bool FileCheck::in_bounds(format::Section section, Element first, Element end) const noexcept {
   const auto count = [&](format::Section s) { return counts_[s]; };
+  // Of blocks that are not looked at yet the starts may be anything: they are compared, and used for nothing.
+  const auto* starts = elements<BlockStart>(format::block_starts);
+  const Element blocks = std::max<Element>(count(format::block_starts), 1) - 1;
+  const BlockStart* starts_end = starts + count(format::block_starts);
+  const auto next_start = [&](Element BlockStart::*place, Element i) {
+    if (blocks == 0) return starts_end;
+    return std::upper_bound(starts + 1, starts_end, i,
+                            [&](Element n, const BlockStart& s) { return n < s.*place; });
+  };
   switch (section) {
     case format::top: {
       const auto* nodes = elements<TreeNode>(section);
       return all_of(first, end, [&](Element i) {
         return (nodes[i].is_leaf() && nodes[i].leaf_number() == Octree::no_block) ||
-               good_node(nodes[i], i, count(section), count(format::block_sizes));
+               good_node(nodes[i], i, count(section), blocks);
       });
     }
+    case format::block_starts:
+      return all_of(first, end, [&](Element i) {
+        const BlockStart& s = starts[i];
+        if (i == 0 && (s.node != 0 || s.leaf != 0 || s.entry != 0)) return false;
+        if (i == blocks) {
+          return s.node == count(format::block_nodes) && s.leaf == count(format::block_leaves) &&
+                 s.entry == count(format::entries);
+        }
+        return s.node < starts[i + 1].node && s.leaf < starts[i + 1].leaf && s.entry < starts[i + 1].entry;
+      });
     case format::index_grid: {
       const auto* nodes = elements<TreeNode>(section);
       return all_of(first, end, [&](Element i) {
@@ -143,21 +156,21 @@ bool FileCheck::in_bounds(format::Section section, Element first, Element end) c
     }
     case format::block_nodes: {
       const auto* nodes = elements<TreeNode>(section);
+      const BlockStart* next = next_start(&BlockStart::node, first);
       return all_of(first, end, [&](Element i) {
-        const auto next = std::upper_bound(first_node_.begin(), first_node_.end(), i);
-        const auto block = static_cast<std::size_t>(next - first_node_.begin()) - 1;
-        return next != first_node_.end() &&
-               good_node(nodes[i], i - first_node_[block], *next - first_node_[block],
-                         first_leaf_[block + 1] - first_leaf_[block]);
+        while (next != starts_end && next->node <= i) ++next;
+        if (next == starts_end) return false;
+        const BlockStart& own = next[-1];
+        return good_node(nodes[i], i - own.node, next->node - own.node, next->leaf - own.leaf);
       });
     }
     case format::block_leaves: {
       const auto* leaves = elements<LeafRecord>(section);
-      const auto* sizes = elements<BlockSize>(format::block_sizes);
+      const BlockStart* next = next_start(&BlockStart::leaf, first);
       return all_of(first, end, [&](Element i) {
-        const auto next = std::upper_bound(first_leaf_.begin(), first_leaf_.end(), i);
-        return next != first_leaf_.end() &&
-               Element{leaves[i].first} + leaves[i].count() <= sizes[next - first_leaf_.begin() - 1].entries;
+        while (next != starts_end && next->leaf <= i) ++next;
+        return next != starts_end && leaves[i].count() > 0 &&
+               Element{leaves[i].first} + leaves[i].count() <= next->entry - next[-1].entry;
       });
     }
     case format::winding_places: {

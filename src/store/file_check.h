@@ -36,7 +36,6 @@ class FileCheck final : public BlockCheck {
   std::span<const std::byte> bytes_;
   format::Counts counts_;
   format::Places places_;
-  std::vector<std::uint64_t> first_node_, first_leaf_;  ///< of each block, and an end
 };
 
 }  // namespace cdfr

@@ -1,4 +1,4 @@
-/// Layout of a .cdfr file, version 5.
+/// Layout of a .cdfr file, version 6.
 ///
 /// All numbers are little endian. A head of 64 bytes and a directory, then sections one after another, each
 /// beginning on a multiple of 128 bytes and zero padded to the next one: the arrays of a field as they lie in
@@ -7,7 +7,7 @@
 /// | bytes | head |
 /// | --- | --- |
 /// | 0-7 | magic "cdfr\r\n\x1a\n" |
-/// | 8-11 | version, 5 |
+/// | 8-11 | version, 6 |
 /// | 12-15 | number of sections |
 /// | 16-23 | size of the whole file; if compressed, of what it unpacks to |
 /// | 24-27 | packing: 0 none, 1 zstd |
@@ -25,7 +25,7 @@
 /// frame of that size. The first block unpacks to a head that says packing 0, and all of it to a file as
 /// above.
 ///
-/// Versions 1 to 4 are not read: their leaves lack what queries now use.
+/// Versions 1 to 5 are not read: they were never in a release.
 #pragma once
 
 #include <array>
@@ -44,7 +44,7 @@
 namespace cdfr::format {
 
 inline constexpr std::array<char, 8> magic{'c', 'd', 'f', 'r', '\r', '\n', '\x1a', '\n'};
-inline constexpr std::uint32_t version = 5;
+inline constexpr std::uint32_t version = 6;
 inline constexpr std::size_t alignment = 128;
 
 enum Section : std::size_t {
@@ -53,7 +53,7 @@ enum Section : std::size_t {
   report,            ///< one MeshReport
   levels,            ///< Level, from level 0 on
   top,               ///< TreeNode
-  block_sizes,       ///< BlockSize
+  block_starts,      ///< BlockStart
   index_grid,        ///< TreeNode
   index_nodes,       ///< TreeNode
   index_leaves,      ///< LeafIndex::Leaf
@@ -80,7 +80,7 @@ enum Section : std::size_t {
 
 inline constexpr std::array<const char*, section_count> section_name{
     "settings",         "unit",        "report",        "levels",         "top",
-    "block_sizes",      "index_grid",  "index_nodes",   "index_leaves",   "entries",
+    "block_starts",     "index_grid",  "index_nodes",   "index_leaves",   "entries",
     "scan_groups",      "triangles",   "records",       "bvh_nodes",      "edge_normals",
     "vertex_normals",   "block_nodes", "block_leaves",  "windings",       "winding_places",
     "known_windings",   "near_edges",  "winding_nodes", "boundary_edges", "boundary_first",
@@ -133,7 +133,7 @@ inline constexpr Counts element_size{sizeof(Settings),
                                      sizeof(MeshReport),
                                      sizeof(Level),
                                      sizeof(TreeNode),
-                                     sizeof(BlockSize),
+                                     sizeof(BlockStart),
                                      sizeof(TreeNode),
                                      sizeof(TreeNode),
                                      sizeof(LeafIndex::Leaf),

@@ -95,7 +95,7 @@ Result<void> PartFiles::read_log() {
       levels.push_back({static_cast<int>(l), row[0], row[1], row[2], row[3], row[4], 0});
     }
     add_levels(levels_, levels);
-    sizes_.push_back({record.key, record.counts[nodes], record.counts[leaves], record.counts[entries]});
+    add_start(record);
     for (std::size_t i = 0; i < part_count; ++i) files_[i].size += record.counts[i] * element_size[i];
     log_.size += sizeof record;
   }
@@ -106,6 +106,12 @@ Result<void> PartFiles::read_log() {
     if (!cut(file)) return failure("cannot cut a file of its work folder");
   }
   return cut(log_) ? Result<void>() : failure("cannot cut a file of its work folder");
+}
+
+void PartFiles::add_start(const Record& record) {
+  const auto& counts = record.counts;
+  starts_.back().key = record.key;
+  starts_.push_back(starts_.back().next(counts[nodes], counts[leaves], counts[entries]));
 }
 
 Result<void> PartFiles::write(File& file, const void* data, std::size_t bytes) {
@@ -153,7 +159,7 @@ Result<void> PartFiles::append(FinishedBlock finished) {
   if (done) done = write(log_, &record, sizeof record);
   if (!done) return done;
   add_levels(levels_, finished.levels);
-  sizes_.push_back({block.key, block.nodes.size(), block.leaves.size(), block.entries.size()});
+  add_start(record);
   return {};
 }
 
@@ -187,9 +193,8 @@ Result<void> PartFiles::give(FieldData& field, Octree upper, const Scratch* scra
   get(near, w.near);
   if (!done) return done;
   upper.levels = levels_;
-  divide(upper, sizes_);
+  upper.starts = std::move(starts_);
   field.tree = std::move(upper);
-  count_leaves(field);
   field.index = LeafIndex(field.tree, scratch);
   return {};
 }

@@ -27,7 +27,7 @@ class PartFiles {
   static Result<PartFiles> open(const std::filesystem::path& folder);
 
   /// Blocks that are there.
-  std::size_t size() const noexcept { return sizes_.size(); }
+  std::size_t size() const noexcept { return starts_.size() - 1; }
   /// Precondition: it follows the last one. Errors: file_write.
   Result<void> append(FinishedBlock block);
   /// Makes the field's octree of all blocks, mapped. `upper` is the part above them. The scratch holds the
@@ -54,13 +54,14 @@ class PartFiles {
   PartFiles() = default;
   Result<void> write(File& file, const void* data, std::size_t bytes);
   Result<void> read_log();
+  void add_start(const Record& record);
   template <class T>
   Result<void> map(Part part, Array<T>& array) const;
 
   std::filesystem::path folder_;
   std::array<File, part_count> files_;
   File log_;
-  std::vector<BlockSize> sizes_;
+  std::vector<BlockStart> starts_{1};  ///< as the octree has them
   std::vector<LevelStats> levels_;
 };
 

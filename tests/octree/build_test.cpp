@@ -59,12 +59,18 @@ std::uint64_t length(const Built& built, const Block& block, const LeafRecord& l
   return sum;
 }
 
+std::vector<Block> blocks_of(const Octree& tree) {
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < tree.block_count(); ++i) blocks.push_back(tree.block(i));
+  return blocks;
+}
+
 TEST(BuildOctree, LeavesTileTheBrickInMortonOrder) {
   const Built built(test::sphere_mesh(3), {});
   const Box domain = built.tree.lattice.domain();
   double volume = 0;
   std::uint64_t last = 0;
-  for (const Block& block : built.tree.blocks) {
+  for (const Block& block : blocks_of(built.tree)) {
     std::uint32_t expected = 0;
     for (const LeafAt& leaf : leaves_of(block)) {
       EXPECT_EQ(leaf.number, expected++);
@@ -81,7 +87,7 @@ TEST(BuildOctree, LeavesTileTheBrickInMortonOrder) {
 
 TEST(BuildOctree, ListsAscendAndNameNothingTwice) {
   const Built built(test::soup(300, {{0, 0, 0}, {1, 1, 1}}, 4), {});
-  for (const Block& block : built.tree.blocks) {
+  for (const Block& block : blocks_of(built.tree)) {
     for (const LeafRecord& leaf : block.leaves) {
       ASSERT_GT(leaf.count(), 0U);
       std::set<std::uint32_t> groups;
@@ -105,7 +111,7 @@ TEST(BuildOctree, WithoutTheGainTestEveryLongLeafIsAtTheDeepestLevel) {
   options.max_triangles_per_leaf = 20;
   const Built built(test::sphere_mesh(4), options);
   bool some_long = false;
-  for (const Block& block : built.tree.blocks) {
+  for (const Block& block : blocks_of(built.tree)) {
     for (const LeafAt& leaf : leaves_of(block)) {
       EXPECT_LE(leaf.cell.level, 3);
       if (length(built, block, block.leaves[leaf.number]) <= 20) continue;
@@ -133,10 +139,11 @@ TEST(BuildOctree, TheBandKeepsAllThatCornersKeepAndMore) {
   options.lists = Lists::band;
   const Built band(test::sphere_mesh(4), options);
   std::uint64_t corners = 0, bands = 0;
-  ASSERT_EQ(corner.tree.blocks.size(), band.tree.blocks.size());
-  for (std::size_t b = 0; b < corner.tree.blocks.size(); ++b) {
-    corners += length(corner, corner.tree.blocks[b], corner.tree.blocks[b].leaves[0]);
-    bands += length(band, band.tree.blocks[b], band.tree.blocks[b].leaves[0]);
+  ASSERT_EQ(corner.tree.block_count(), band.tree.block_count());
+  for (std::size_t b = 0; b < corner.tree.block_count(); ++b) {
+    const Block tight = corner.tree.block(b), wide = band.tree.block(b);
+    corners += length(corner, tight, tight.leaves[0]);
+    bands += length(band, wide, wide.leaves[0]);
   }
   EXPECT_LT(2 * corners, bands);
 }

@@ -15,7 +15,7 @@ namespace {
 
 struct Walked {
   Cell cell;
-  const Block* block = nullptr;
+  Block block;
   LeafRecord leaf;
 };
 
@@ -28,10 +28,10 @@ Walked walk(const Octree& tree, const Vec3& p) {
   const Array<TreeNode>* nodes = &tree.top;
   TreeNode node = tree.top[0];
   for (;;) {
-    if (node.is_leaf() && w.block != nullptr) break;
+    if (node.is_leaf() && !w.block.nodes.empty()) break;
     if (node.is_leaf()) {
-      w.block = &tree.blocks.at(node.leaf_number());
-      nodes = &w.block->nodes;
+      w.block = tree.block(node.leaf_number());
+      nodes = &w.block.nodes;
       node = (*nodes)[0];
       continue;
     }
@@ -48,7 +48,7 @@ Walked walk(const Octree& tree, const Vec3& p) {
     w.cell = child_of(w.cell, child);
     node = (*nodes)[node.first_child() + static_cast<unsigned>(child)];
   }
-  w.leaf = w.block->leaves[node.leaf_number()];
+  w.leaf = w.block.leaves[node.leaf_number()];
   return w;
 }
 
@@ -76,7 +76,7 @@ double coordinate(test::Random& random, double lo, double hi) {
 
 /// A leaf of a random block, most often a deep one.
 Box some_leaf(test::Random& random, const Octree& tree) {
-  const Block& block = tree.blocks[random.below(tree.blocks.size())];
+  const Block block = tree.block(random.below(tree.block_count()));
   Cell cell = cell_of(block.key);
   for (TreeNode node = block.nodes[0]; !node.is_leaf();) {
     std::uint32_t child = static_cast<std::uint32_t>(random.below(8));
@@ -116,7 +116,7 @@ void check(const Octree& tree, test::Random& random, int points) {
     const std::uint32_t number = index.leaf(place);
     const Located found = index.at(place, number);
     ASSERT_EQ(index.up(number), static_cast<std::uint32_t>(deepest_level - expected.cell.level));
-    ASSERT_EQ(found.entries.data(), expected.block->entries.data() + expected.leaf.first);
+    ASSERT_EQ(found.entries.data(), expected.block.entries.data() + expected.leaf.first);
     ASSERT_EQ(found.entries.size(), expected.leaf.count());
     ASSERT_EQ(found.side, expected.leaf.side());
     ASSERT_TRUE(holds(lattice.box(expected.cell), p, lattice.grown()));
@@ -201,7 +201,7 @@ TEST(LeafIndex, FindsTheDeepestLeavesAroundOnePoint) {
     const LatticePoint place = index.place(p);
     const Walked expected = walk(tree, p);
     const Located found = index.at(place, index.leaf(place));
-    ASSERT_EQ(found.entries.data(), expected.block->entries.data() + expected.leaf.first);
+    ASSERT_EQ(found.entries.data(), expected.block.entries.data() + expected.leaf.first);
   }
 }
 
