@@ -39,7 +39,6 @@ void Descent::run(const Cube& cube) {
   }
 }
 
-/// A cube of the final size.
 void Descent::finish(const Cube& cube) {
   const Sample centre = sample(cube.centre());
   if (!passes(level_, centre.value, cube) || put_point(centre, cube)) return;

@@ -51,6 +51,8 @@ class Descent {
 
   /// Precondition: the cube passes.
   void run(const Cube& cube);
+  /// A cube of the final size.
+  void finish(const Cube& cube);
   const DescentCounts& counts() const noexcept { return counts_; }
 
  private:
@@ -66,7 +68,6 @@ class Descent {
   };
 
   Sample sample(const Vec3& x) noexcept;
-  void finish(const Cube& cube);
   bool put_point(const Sample& at, const Cube& within);
   bool put_away(const Sample& at, const Cube& within);
   bool put_along(const Sample& at, const Vec3& direction, const Cube& within);

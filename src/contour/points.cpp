@@ -5,6 +5,7 @@
 
 #include "cdfr/contour/contour.h"
 #include "contour/descent.h"
+#include "contour/leaf_descent.h"
 #include "contour/regions.h"
 #include "core/collected_points.h"
 #include "core/floating_environment.h"
@@ -17,10 +18,9 @@ namespace cdfr {
 namespace {
 
 /// Regions a task takes, and regions between two writes to the sink: fixed, so that nothing depends on
-/// threads. A region gives a few hundred points as a rule and 16^3 at most, so a wave takes tens of
-/// megabytes.
-constexpr std::size_t regions_a_task = 8;
-constexpr std::size_t regions_a_wave = 512;
+/// threads. A region gives some thousand points as a rule, so a wave takes tens of megabytes.
+constexpr std::size_t regions_a_task = 2;
+constexpr std::size_t regions_a_wave = 128;
 
 Level level_of(const FieldData& field, double distance) noexcept {
   const Box domain = field.tree.lattice.domain();
@@ -40,14 +40,16 @@ Found descend_into(const FieldData& field, const Level& level, double tolerance,
                    std::span<const Region> regions, Progress& progress) {
   Found found;
   Descent descent(field, level, tolerance, found.points);
+  LeafDescent in_leaf(field, level, tolerance, descent, found.points);
   for (const Region& region : regions) {
     if (!progress.poll()) break;
     const std::size_t before = found.points.size();
-    descent.run(region.cube);
+    if (!in_leaf.run(region)) descent.run(region.cube);
     if (found.points.size() > before && region.leaf != Region::no_leaf)
       found.productive.push_back(region.leaf);
   }
   found.counts = descent.counts();
+  found.counts.add(in_leaf.counts());
   return found;
 }
 

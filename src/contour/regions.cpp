@@ -18,13 +18,13 @@ class Regions {
       : field_(field), level_(level), tolerance_(tolerance), progress_(progress), take_(take) {}
 
   RegionCounts run() {
-    const std::vector<std::vector<Cube>> visited = visited_leaves();
+    const std::vector<std::vector<Visited>> visited = visited_leaves();
     double count = 0;
     for (const auto& leaves : visited) count += static_cast<double>(leaves.size());
     progress_.phase(0, 1, count);
     for (const auto& leaves : visited) {
-      for (const Cube& cube : leaves) {
-        if (!split(cube, counts_.visited++)) return counts_;
+      for (const Visited& leaf : leaves) {
+        if (!split({leaf.cube, counts_.visited++, leaf.list, leaf.side})) return counts_;
         progress_.step();
       }
     }
@@ -33,10 +33,16 @@ class Regions {
   }
 
  private:
+  struct Visited {
+    Cube cube;
+    std::span<const Entry> list;
+    Side side;
+  };
+
   /// Of each block, the leaves that pass. A leaf whose list starts too far away is not even sampled.
-  std::vector<std::vector<Cube>> visited_leaves() {
+  std::vector<std::vector<Visited>> visited_leaves() {
     const std::size_t blocks = field_.tree.block_count();
-    std::vector<std::vector<Cube>> visited(blocks);
+    std::vector<std::vector<Visited>> visited(blocks);
     std::vector<std::uint64_t> evaluations(blocks);
     for_chunks(blocks, 1, [&](std::size_t i, std::size_t) {
       const Block block = field_.tree.block(i);
@@ -48,7 +54,8 @@ class Regions {
         if (level_.jumps && leaf.side() == level_.other_side()) return;
         if (least > level_.height + cube.half_diagonal() + level_.rounding || !progress_.poll()) return;
         ++evaluations[i];
-        if (passes(level_, value_at(field_, level_, cube.centre()), cube)) visited[i].push_back(cube);
+        if (!passes(level_, value_at(field_, level_, cube.centre()), cube)) return;
+        visited[i].push_back({cube, {block.entries.data() + leaf.first, leaf.count()}, leaf.side()});
       });
     });
     for (const std::uint64_t n : evaluations) counts_.evaluations += n;
@@ -65,12 +72,13 @@ class Regions {
   }
 
   /// Precondition: the cube passes.
-  bool split(const Cube& cube, std::uint64_t leaf) {
+  bool split(const Region& region) {
     if (!progress_.poll()) return false;
-    if (small_enough(cube)) return take_({cube, leaf});
+    if (small_enough(region.cube)) return take_(region);
     for (int child = 0; child < 8; ++child) {
-      const Cube octant = cube.octant(child);
-      if (passes_at_centre(octant) && !split(octant, leaf)) return false;
+      Region part = region;
+      part.cube = region.cube.octant(child);
+      if (passes_at_centre(part.cube) && !split(part)) return false;
     }
     return true;
   }
@@ -104,7 +112,7 @@ class Regions {
     if (!passes_at_centre(cube)) return true;
     const bool outside = cube.lo.x >= domain.hi.x || hi.x <= domain.lo.x || cube.lo.y >= domain.hi.y ||
                          hi.y <= domain.lo.y || cube.lo.z >= domain.hi.z || hi.z <= domain.lo.z;
-    if (outside) return split(cube, Region::no_leaf);
+    if (outside) return split({cube, Region::no_leaf, {}, Side::undecided});
     for (int child = 0; child < 8; ++child) {
       if (!beyond(cube.octant(child))) return false;
     }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 
 #include "contour/cube.h"
 #include "contour/level.h"
@@ -13,17 +14,19 @@
 
 namespace cdfr {
 
-/// A cube to descend into. Pieces of one leaf carry the same number, counted among visited leaves; no_leaf
-/// beyond the domain.
+/// A cube to descend into. Pieces of one leaf carry the same number, counted among visited leaves, and its
+/// list; no_leaf beyond the domain, and no list.
 struct Region {
   Cube cube;
   std::uint64_t leaf = 0;
+  std::span<const Entry> list;
+  Side side = Side::undecided;
 
   static constexpr std::uint64_t no_leaf = ~std::uint64_t{0};
 };
 
 /// Halvings that a region leaves to its descent: bounds the points that one region can give.
-inline constexpr int region_depth = 4;
+inline constexpr int region_depth = 6;
 
 struct RegionCounts {
   std::uint64_t visited = 0;  ///< leaves whose centre's value allows the contour

@@ -1,0 +1,200 @@
+#include "geometry/feet.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+
+#include "core/vector.h"
+#include "geometry/double_double.h"
+
+// As in triangle_group.cpp: compiled once for each instruction set, one order of operations, never fused. SVE
+// is left out there and here.
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "geometry/feet.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "geometry/double_double_lanes.inc"
+
+HWY_BEFORE_NAMESPACE();
+namespace cdfr {
+namespace HWY_NAMESPACE {
+
+HWY_INLINE Vector coordinate(const Vector3& p, const TriangleFrame::Axis& axis) {
+  return times(axis.way[0], p.x) + times(axis.way[1], p.y) + times(axis.way[2], p.z) - constant(axis.start);
+}
+
+/// A point by an edge's frame.
+struct Beside {
+  Vector x, y;
+  Vector beyond;   ///< x less what the edge covers of it
+  Vector squared;  ///< distance from the edge in the triangle's plane
+};
+
+HWY_INLINE Beside beside(const Vector3& p, const TriangleFrame::Edge& edge) {
+  Beside b;
+  b.x = coordinate(p, edge.along);
+  b.y = coordinate(p, edge.inwards);
+  b.beyond = b.x - least_of(most_of(b.x, constant(0)), constant(edge.length));
+  b.squared = b.beyond * b.beyond + b.y * b.y;
+  return b;
+}
+
+/// A point by all of a triangle's frames.
+struct Seen {
+  Beside edges[3];
+  Vector height, border, squared;
+  Mask is_beside;
+};
+
+HWY_INLINE Seen seen(const Vector3& p, const TriangleFrame& t) {
+  Seen s;
+  for (int k = 0; k < 3; ++k) s.edges[k] = beside(p, t.edges[k]);
+  s.height = coordinate(p, t.height);
+  s.border = least_of(least_of(s.edges[0].squared, s.edges[1].squared), s.edges[2].squared);
+  s.is_beside = least_of(least_of(s.edges[0].y, s.edges[1].y), s.edges[2].y) <= constant(t.doubt);
+  s.squared = s.height * s.height + choose(s.is_beside, s.border, constant(0));
+  return s;
+}
+
+HWY_INLINE Vector3 points_at(const RegionPoints& points, std::size_t first) {
+  return {load(points.at[0] + first), load(points.at[1] + first), load(points.at[2] + first)};
+}
+
+void squared_distances_here(std::span<const TriangleFrame> frames, std::span<const std::uint16_t> numbers,
+                            const RegionPoints& points, double* squared) {
+  for (std::size_t first = 0; first < points.count; first += vector_lanes()) {
+    const Vector3 p = points_at(points, first);
+    Vector least = constant(std::numeric_limits<double>::infinity());
+    for (const std::uint16_t number : numbers) least = least_of(least, seen(p, frames[number]).squared);
+    store(least, squared + first);
+  }
+}
+
+/// The offset in the plane and the place, by the closest edge.
+struct Border {
+  Vector3 offset;
+  Vector place;
+};
+
+HWY_INLINE Border border(const Seen& s, const TriangleFrame& t) {
+  Border best;
+  for (int k = 0; k < 3; ++k) {
+    const Beside& b = s.edges[k];
+    const TriangleFrame::Edge& edge = t.edges[k];
+    const auto component = [&](int axis) {
+      return times(edge.along.way[axis], b.beyond) + times(edge.inwards.way[axis], b.y);
+    };
+    Vector place = choose(b.beyond < constant(0), constant(4 + k), constant(1 + k));
+    place = choose(b.beyond > constant(0), constant(4 + (k + 1) % 3), place);
+    const Border own{{component(0), component(1), component(2)}, place};
+    if (k == 0) {
+      best = own;
+      continue;
+    }
+    const Mask is_best = b.squared <= s.border;
+    best.offset = {choose(is_best, own.offset.x, best.offset.x), choose(is_best, own.offset.y, best.offset.y),
+                   choose(is_best, own.offset.z, best.offset.z)};
+    best.place = choose(is_best, own.place, best.place);
+  }
+  return best;
+}
+
+void find_feet_here(std::span<const TriangleFrame> frames, std::span<const std::uint16_t> numbers,
+                    const RegionPoints& points, Feet& feet) {
+  const Vector zero = constant(0);
+  for (std::size_t first = 0; first < points.count; first += vector_lanes()) {
+    const Vector3 p = points_at(points, first);
+    Vector least = constant(std::numeric_limits<double>::infinity()), number = zero, place = zero;
+    Vector3 offset{zero, zero, zero};
+    for (const std::uint16_t n : numbers) {
+      const TriangleFrame& t = frames[n];
+      const Seen s = seen(p, t);
+      const Mask closer = s.squared < least;
+      if (!any(closer)) continue;
+      least = least_of(least, s.squared);
+      number = choose(closer, constant(n), number);
+      Vector3 own{times(t.height.way[0], s.height), times(t.height.way[1], s.height),
+                  times(t.height.way[2], s.height)};
+      Vector own_place = zero;
+      if (any(closer & s.is_beside)) {
+        const Border b = border(s, t);
+        own = {choose(s.is_beside, own.x + b.offset.x, own.x), choose(s.is_beside, own.y + b.offset.y, own.y),
+               choose(s.is_beside, own.z + b.offset.z, own.z)};
+        own_place = choose(s.is_beside, b.place, zero);
+      }
+      offset = {choose(closer, own.x, offset.x), choose(closer, own.y, offset.y),
+                choose(closer, own.z, offset.z)};
+      place = choose(closer, own_place, place);
+    }
+    store(least, feet.squared + first);
+    store(offset.x, feet.offset[0] + first);
+    store(offset.y, feet.offset[1] + first);
+    store(offset.z, feet.offset[2] + first);
+    store(number, feet.number + first);
+    store(place, feet.place + first);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cdfr
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cdfr {
+
+HWY_EXPORT(squared_distances_here);
+HWY_EXPORT(find_feet_here);
+
+namespace {
+
+using Eigen::Vector3d;
+
+TriangleFrame::Axis axis_of(const Vector3d& way, const Vector3d& from) {
+  return {{way[0], way[1], way[2]}, way.dot(from)};
+}
+
+}  // namespace
+
+TriangleFrame triangle_frame(const TriangleShape& shape, const Vec3& middle, double radius) noexcept {
+  Vector3d corners[3], edges[3];
+  for (std::size_t k = 0; k < 3; ++k) corners[k] = to_eigen(shape.vertices[k]);
+  for (std::size_t k = 0; k < 3; ++k) edges[k] = corners[(k + 1) % 3] - corners[k];
+  Vector3d n = to_eigen(rounded(shape.normal));
+  const bool has_area = !n.isZero(0);
+  if (!has_area) {
+    const Vector3d& longest = *std::max_element(edges, edges + 3, [](const Vector3d& a, const Vector3d& b) {
+      return a.squaredNorm() < b.squaredNorm();
+    });
+    n = longest.squaredNorm() > 0 ? longest.unitOrthogonal() : Vector3d(Vector3d::UnitZ());
+  }
+  TriangleFrame frame;
+  double farthest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double length = edges[k].norm();
+    const Vector3d along = length > 0 ? Vector3d(edges[k] / length) : n.unitOrthogonal();
+    const Vector3d from = corners[k] - to_eigen(middle);
+    farthest = std::max(farthest, from.norm());
+    frame.edges[k] = {axis_of(along, from), axis_of(n.cross(along), from), length};
+  }
+  frame.height = axis_of(n, corners[0] - to_eigen(middle));
+  frame.error = 24 * unit_roundoff * (farthest + radius);
+  frame.doubt = has_area ? 13 * unit_roundoff * (farthest + radius) : std::numeric_limits<double>::infinity();
+  return frame;
+}
+
+void squared_distances(std::span<const TriangleFrame> frames, std::span<const std::uint16_t> numbers,
+                       const RegionPoints& points, double* squared) noexcept {
+  HWY_DYNAMIC_DISPATCH(squared_distances_here)(frames, numbers, points, squared);
+}
+
+void find_feet(std::span<const TriangleFrame> frames, std::span<const std::uint16_t> numbers,
+               const RegionPoints& points, Feet& feet) noexcept {
+  HWY_DYNAMIC_DISPATCH(find_feet_here)(frames, numbers, points, feet);
+}
+
+}  // namespace cdfr
+#endif
