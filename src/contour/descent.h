@@ -54,6 +54,7 @@ class Descent {
   /// A cube of the final size.
   void finish(const Cube& cube);
   const DescentCounts& counts() const noexcept { return counts_; }
+  void clear_counts() noexcept { counts_ = {}; }
 
  private:
   /// What is known of a cube of final size while it is halved.

@@ -36,6 +36,7 @@ class LeafDescent {
   /// triangles. Precondition: the region passes.
   bool run(const Region& region);
   const DescentCounts& counts() const noexcept { return counts_; }
+  void clear_counts() noexcept { counts_ = {}; }
 
  private:
   /// What is known of a cube: is all of it on the contour's side?

@@ -1,6 +1,9 @@
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "cdfr/contour/contour.h"
@@ -17,10 +20,10 @@
 namespace cdfr {
 namespace {
 
-/// Regions a task takes, and regions between two writes to the sink: fixed, so that nothing depends on
-/// threads. A region gives some thousand points as a rule, so a wave takes tens of megabytes.
-constexpr std::size_t regions_a_task = 2;
-constexpr std::size_t regions_a_wave = 128;
+/// A task takes one region, which gives some thousand points as a rule. A wave of tasks is written to the
+/// sink in order, so its length changes nothing but how much memory lies ready: some megabytes, which stay in
+/// the caches.
+constexpr std::size_t regions_a_thread = 8;
 
 Level level_of(const FieldData& field, double distance) noexcept {
   const Box domain = field.tree.lattice.domain();
@@ -30,28 +33,22 @@ Level level_of(const FieldData& field, double distance) noexcept {
           !field.winding.empty()};
 }
 
-struct Found {
-  std::vector<ContourPoint> points;
-  std::vector<std::uint64_t> productive;  ///< leaves that gave a point, ascending
-  DescentCounts counts;
-};
+/// What finds the points of one region after another, and keeps its memory.
+struct Worker {
+  Worker(const FieldData& field, const Level& level, double tolerance)
+      : descent(field, level, tolerance, points), in_leaf(field, level, tolerance, descent, points) {}
 
-Found descend_into(const FieldData& field, const Level& level, double tolerance,
-                   std::span<const Region> regions, Progress& progress) {
-  Found found;
-  Descent descent(field, level, tolerance, found.points);
-  LeafDescent in_leaf(field, level, tolerance, descent, found.points);
-  for (const Region& region : regions) {
-    if (!progress.poll()) break;
-    const std::size_t before = found.points.size();
+  void run(const Region& region) {
+    points.clear();
+    descent.clear_counts();
+    in_leaf.clear_counts();
     if (!in_leaf.run(region)) descent.run(region.cube);
-    if (found.points.size() > before && region.leaf != Region::no_leaf)
-      found.productive.push_back(region.leaf);
   }
-  found.counts = descent.counts();
-  found.counts.add(in_leaf.counts());
-  return found;
-}
+
+  std::vector<ContourPoint> points;
+  Descent descent;
+  LeafDescent in_leaf;
+};
 
 void describe(const std::vector<ContourPoint>& points, ContourReport& report) {
   report.points += points.size();
@@ -79,13 +76,16 @@ class Extraction {
     report_.box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
     report_.subvoxel = subvoxel_of(field.tree.lattice, tolerance);
     report_.leaves = field.tree.leaves.size();
+    const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    for (std::size_t i = 0; i < threads * regions_a_thread; ++i)
+      workers_.push_back(std::make_unique<Worker>(field, level, tolerance));
   }
 
   Result<ContourReport> run() {
     const RegionCounts counts =
         for_each_region(field_, level_, tolerance_, progress_, [this](const Region& region) {
           wave_.push_back(region);
-          if (wave_.size() == regions_a_wave) flush();
+          if (wave_.size() == workers_.size()) flush();
           return static_cast<bool>(written_) && !progress_.cancelled();
         });
     if (!progress_.cancelled()) flush();
@@ -99,23 +99,29 @@ class Extraction {
 
  private:
   void flush() {
-    std::vector<Found> found((wave_.size() + regions_a_task - 1) / regions_a_task);
-    for_chunks(wave_.size(), regions_a_task, [&](std::size_t first, std::size_t end) {
-      const std::span<const Region> task = std::span<const Region>(wave_).subspan(first, end - first);
-      found[first / regions_a_task] = descend_into(field_, level_, tolerance_, task, progress_);
+    for_chunks(wave_.size(), 1, [&](std::size_t i, std::size_t) {
+      workers_[i]->points.clear();
+      if (progress_.poll()) workers_[i]->run(wave_[i]);
     });
-    wave_.clear();
-    for (const Found& part : found) {
-      if (progress_.cancelled() || !written_) return;
-      report_.evaluations += part.counts.evaluations;
-      report_.undecided += part.counts.undecided;
-      for (const std::uint64_t leaf : part.productive) {
-        report_.productive += leaf != last_productive_;
-        last_productive_ = leaf;
-      }
-      describe(part.points, report_);
-      if (!part.points.empty()) written_ = sink_.write(part.points);
+    for (std::size_t i = 0; i < wave_.size(); ++i) {
+      if (progress_.cancelled() || !written_) break;
+      take(*workers_[i], wave_[i].leaf);
     }
+    wave_.clear();
+  }
+
+  void take(const Worker& worker, std::uint64_t leaf) {
+    for (const DescentCounts* counts : {&worker.descent.counts(), &worker.in_leaf.counts()}) {
+      report_.evaluations += counts->evaluations;
+      report_.undecided += counts->undecided;
+    }
+    if (worker.points.empty()) return;
+    if (leaf != Region::no_leaf) {
+      report_.productive += leaf != last_productive_;
+      last_productive_ = leaf;
+    }
+    describe(worker.points, report_);
+    written_ = sink_.write(worker.points);
   }
 
   const FieldData& field_;
@@ -123,6 +129,7 @@ class Extraction {
   double tolerance_;
   PointSink& sink_;
   Progress& progress_;
+  std::vector<std::unique_ptr<Worker>> workers_;  ///< one for each region of a wave
   std::vector<Region> wave_;
   Result<void> written_;
   std::uint64_t last_productive_ = Region::no_leaf;
