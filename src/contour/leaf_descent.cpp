@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/vector.h"
+#include "field/batch.h"
 #include "field/query.h"
 
 namespace cdfr {
@@ -18,11 +19,6 @@ constexpr double grown_by = 0.4;
 constexpr double least_tolerance = 1024;
 constexpr std::uint32_t not_asked = no_index;
 
-bool holds(const Cube& cube, const Vec3& x) noexcept {
-  const auto within = [&](double at, double lo) { return at >= lo && at <= lo + cube.size; };
-  return within(x.x, cube.lo.x) && within(x.y, cube.lo.y) && within(x.z, cube.lo.z);
-}
-
 template <class Ids>
 bool among(std::uint32_t id, const Ids& ids) noexcept {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
@@ -34,48 +30,43 @@ LeafDescent::LeafDescent(const FieldData& field, const Level& level, double tole
                          std::vector<ContourPoint>& points)
     : field_(field), level_(level), tolerance_(tolerance), single_(single), points_(points) {}
 
+LeafDescent::Sided LeafDescent::side_in(const Region& region) const noexcept {
+  if (field_.sign == Sign::none) return Sided::right;
+  if (region.side != Side::inside && region.side != Side::outside) return Sided::open;
+  return region.side == level_.other_side() ? Sided::wrong : Sided::right;
+}
+
 bool LeafDescent::run(const Region& region) {
-  if (level_.height == 0 || region.list.empty() || tolerance_ < least_tolerance * level_.rounding)
-    return false;
-  Sided sided = Sided::open;
-  if (field_.sign == Sign::none) {
-    sided = Sided::right;
-  } else if (region.side == Side::inside || region.side == Side::outside) {
-    sided = region.side == level_.other_side() ? Sided::wrong : Sided::right;
-  } else if (level_.jumps) {
-    return false;
-  }
+  const bool is_fine = tolerance_ < least_tolerance * level_.rounding;
+  if (level_.height == 0 || region.list.empty() || is_fine) return false;
+  const Sided sided = side_in(region);
+  if (sided == Sided::open && level_.jumps) return false;
   if (sided == Sided::wrong) return true;
   const Lattice& lattice = field_.tree.lattice;
   const double scale = 1 / lattice.edge;
+  region_ = region.cube;
   middle_ = region.cube.centre();
   radius_ = 2 * region.cube.half_diagonal();
-  const Vec3 in_edges{(middle_.x - lattice.origin.x) * scale, (middle_.y - lattice.origin.y) * scale,
-                      (middle_.z - lattice.origin.z) * scale};
+  const Vec3 from_origin{middle_.x - lattice.origin.x, middle_.y - lattice.origin.y,
+                         middle_.z - lattice.origin.z};
+  const Vec3 in_edges{from_origin.x * scale, from_origin.y * scale, from_origin.z * scale};
   if (!list_.fill(field_.triangles, lattice, region.list, in_edges, radius_ * scale)) return false;
-  region_ = region.cube;
   final_size_ = region.cube.size;
   while (Cube{{}, final_size_}.half_diagonal() > tolerance_ / 2) final_size_ /= 2;
-  frames_.resize(list_.triangles.size());
-  framed_.assign(list_.triangles.size(), false);
-  base_.resize(list_.triangles.size());
   error_ = 0;
+  const std::size_t count = list_.triangles.size();
+  frames_.resize(count);
+  framed_.assign(count, false);
+  base_.resize(count);
   std::array<std::uint16_t, TileList::most> numbers;
   std::iota(numbers.begin(), numbers.end(), std::uint16_t{0});
-  descend(region.cube, {numbers.data(), list_.triangles.size()}, sided);
+  descend(region.cube, {numbers.data(), count}, sided);
+  check_beyond_region();
+  redo_failed();
   return true;
 }
 
-bool LeafDescent::may_enter(double distance, const Cube& cube) const noexcept {
-  return std::fabs(distance - level_.height) <= cube.half_diagonal() + error_;
-}
-
-void LeafDescent::add_centre(const Cube& cube, RegionPoints& points) const noexcept {
-  const Vec3 c = cube.centre();
-  points.add(c.x - middle_.x, c.y - middle_.y, c.z - middle_.z);
-}
-
-void LeafDescent::make_frames(TileNumbers numbers) {
+void LeafDescent::make_frames(FrameNumbers numbers) {
   for (const std::uint16_t n : numbers) {
     if (framed_[n]) continue;
     framed_[n] = true;
@@ -85,14 +76,15 @@ void LeafDescent::make_frames(TileNumbers numbers) {
   }
 }
 
-TileNumbers LeafDescent::pruned(const Cube& cube, TileNumbers numbers, std::uint16_t* kept) const noexcept {
+FrameNumbers LeafDescent::pruned(const Cube& cube, FrameNumbers numbers, std::uint16_t* kept) const noexcept {
   if (numbers.size() <= 2) return numbers;
   const double scale = 1 / field_.tree.lattice.edge, more = grown_by * final_size_;
-  const double lo[3] = {cube.lo.x - middle_.x, cube.lo.y - middle_.y, cube.lo.z - middle_.z};
+  const Vec3 lo = from_middle(cube.lo);
+  const double corner[3] = {lo.x, lo.y, lo.z};
   TileBox box;
   for (int axis = 0; axis < 3; ++axis) {
-    box.lo[axis] = static_cast<float>((lo[axis] - more) * scale);
-    box.hi[axis] = static_cast<float>((lo[axis] + cube.size + more) * scale);
+    box.lo[axis] = static_cast<float>((corner[axis] - more) * scale);
+    box.hi[axis] = static_cast<float>((corner[axis] + cube.size + more) * scale);
   }
   return {kept, prune(list_, numbers, box, kept)};
 }
@@ -104,20 +96,20 @@ LeafDescent::Sided LeafDescent::side_of(const Cube& cube, double distance) noexc
   return level_.on_side(signed_distance(field_, cube.centre())) ? Sided::right : Sided::wrong;
 }
 
-void LeafDescent::descend(const Cube& cube, TileNumbers numbers, Sided sided) {
+void LeafDescent::descend(const Cube& cube, FrameNumbers numbers, Sided sided) {
   if (sided == Sided::right && cube.size <= tile_side * final_size_) return tile(cube, numbers);
   if (cube.size <= final_size_) return single_.finish(cube);
   make_frames(numbers);
-  RegionPoints centres;
-  centres.count = 0;
-  for (int child = 0; child < 8; ++child) add_centre(cube.octant(child), centres);
-  alignas(64) double squared[RegionPoints::most];
-  squared_distances(frames_, numbers, centres, squared);
+  octants_.count = 0;
+  for (int child = 0; child < 8; ++child) octants_.add(from_middle(cube.octant(child).centre()));
+  squared_distances(frames_, numbers, octants_, squared_.data());
   counts_.evaluations += 8;
+  std::array<double, 8> squared;
+  std::copy_n(squared_.begin(), 8, squared.begin());
   for (int child = 0; child < 8; ++child) {
     const Cube octant = cube.octant(child);
-    const double distance = std::sqrt(squared[child]);
-    if (!may_enter(distance, octant)) continue;
+    const double distance = std::sqrt(squared[static_cast<std::size_t>(child)]);
+    if (std::fabs(distance - level_.height) > octant.half_diagonal() + error_) continue;
     const Sided own = sided == Sided::open ? side_of(octant, distance) : sided;
     if (own == Sided::wrong) continue;
     std::array<std::uint16_t, TileList::most> kept;
@@ -125,115 +117,142 @@ void LeafDescent::descend(const Cube& cube, TileNumbers numbers, Sided sided) {
   }
 }
 
-void LeafDescent::tile(const Cube& cube, TileNumbers numbers) {
+/// A cube on the contour's side.
+void LeafDescent::tile(const Cube& cube, FrameNumbers numbers) {
   make_frames(numbers);
-  cubes_.assign(1, cube);
+  centres_.count = 0;
+  centres_.add(from_middle(cube.centre()));
   for (double size = cube.size; size > final_size_;) {
     size /= 2;
-    octants_.clear();
-    for (const Cube& whole : cubes_) {
-      for (int child = 0; child < 8; ++child) octants_.push_back(whole.octant(child));
-    }
+    halve(size);
     if (size > final_size_) {
-      keep_passing(numbers);
+      keep_passing(size, numbers);
     } else {
-      std::swap(cubes_, octants_);
+      std::swap(centres_, octants_);
     }
   }
-  const std::span<const Cube> cubes = cubes_;
-  for (std::size_t first = 0; first < cubes.size(); first += RegionPoints::most)
-    finish(cubes.subspan(first, std::min(RegionPoints::most, cubes.size() - first)), numbers);
+  for (std::size_t first = 0; first < centres_.count; first += Feet::most) finish(first, numbers);
+}
+
+/// The octants, of that size, of all cubes.
+void LeafDescent::halve(double size) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < centres_.count; ++i) {
+      const double lo = centres_.at[axis][i] - size / 2, hi = centres_.at[axis][i] + size / 2;
+      for (std::size_t child = 0; child < 8; ++child)
+        octants_.at[axis][8 * i + child] = (child >> axis & 1U) != 0 ? hi : lo;
+    }
+  }
+  octants_.count = 8 * centres_.count;
 }
 
 /// Of the octants.
-void LeafDescent::keep_passing(TileNumbers numbers) {
-  cubes_.clear();
-  alignas(64) double squared[RegionPoints::most];
-  for (std::size_t first = 0; first < octants_.size(); first += RegionPoints::most) {
-    const std::size_t end = std::min(first + RegionPoints::most, octants_.size());
-    RegionPoints centres;
-    centres.count = 0;
-    for (std::size_t i = first; i < end; ++i) add_centre(octants_[i], centres);
-    squared_distances(frames_, numbers, centres, squared);
-    for (std::size_t i = first; i < end; ++i) {
-      if (may_enter(std::sqrt(squared[i - first]), octants_[i])) cubes_.push_back(octants_[i]);
-    }
-  }
-  counts_.evaluations += octants_.size();
-}
-
-/// At most RegionPoints::most cubes of final size.
-void LeafDescent::finish(std::span<const Cube> cubes, TileNumbers numbers) {
-  RegionPoints centres;
-  centres.count = 0;
-  for (const Cube& cube : cubes) add_centre(cube, centres);
-  find_feet(frames_, numbers, centres, feet_);
-  counts_.evaluations += cubes.size();
-  bool some_moved = false;
-  for (std::size_t i = 0; i < cubes.size(); ++i) {
-    outcomes_[i] = outcome(cubes[i], i, found_[i]);
-    some_moved |= outcomes_[i] == Outcome::moved_away;
-  }
-  if (some_moved) check_moved(numbers, cubes.size());
-  for (std::size_t i = 0; i < cubes.size(); ++i) {
-    if (outcomes_[i] == Outcome::point) points_.push_back(found_[i]);
-    if (outcomes_[i] == Outcome::single) single_.finish(cubes[i]);
+void LeafDescent::keep_passing(double size, FrameNumbers numbers) {
+  squared_distances(frames_, numbers, octants_, squared_.data());
+  counts_.evaluations += octants_.count;
+  const double most = Cube{{}, size}.half_diagonal() + error_;
+  const double lo = std::max(0.0, level_.height - most) * (1 - 4 * unit_roundoff);
+  const double hi = (level_.height + most) * (1 + 4 * unit_roundoff);
+  centres_.count = 0;
+  for (std::size_t i = 0; i < octants_.count; ++i) {
+    if (squared_[i] >= lo * lo && squared_[i] <= hi * hi) centres_.add(octants_.point(i));
   }
 }
 
-LeafDescent::Outcome LeafDescent::outcome(const Cube& cube, std::size_t i, ContourPoint& point) {
-  const double distance = std::sqrt(feet_.squared[i]);
-  if (!may_enter(distance, cube)) return Outcome::none;
-  const auto number = static_cast<std::size_t>(feet_.number[i]);
-  const auto place = static_cast<TrianglePlace>(feet_.place[i]);
-  const TriangleFrame& frame = frames_[number];
-  if (std::isinf(frame.doubt) || !(distance > error_)) return Outcome::single;
-  Vec3 away{feet_.offset[0][i] / distance, feet_.offset[1][i] / distance, feet_.offset[2][i] / distance};
-  if (place == 0) {
-    const auto& n = frame.height.way;
-    const double above = away.x * n[0] + away.y * n[1] + away.z * n[2] > 0 ? 1 : -1;
-    away = {above * n[0], above * n[1], above * n[2]};
-  }
-  const double move = level_.height - distance;
-  const Vec3 c = cube.centre();
-  point.position = {c.x + move * away.x, c.y + move * away.y, c.z + move * away.z};
-  point.normal = {level_.side * away.x, level_.side * away.y, level_.side * away.z};
-  point.triangle = base_triangle(number, place);
-  point.error = error_;
-  return move > 0 ? Outcome::moved_away : Outcome::point;
-}
-
-/// The value a hair beyond the point, which reaches the height by more than its own error, tells that the
-/// contour passes in between.
-void LeafDescent::check_moved(TileNumbers numbers, std::size_t count) {
-  RegionPoints moved;
-  moved.count = 0;
-  std::array<std::size_t, RegionPoints::most> from;
+/// At most Feet::most cubes of final size.
+void LeafDescent::finish(std::size_t first, FrameNumbers numbers) {
+  find_feet(frames_, numbers, centres_, first, feet_);
+  const std::size_t count = std::min(Feet::most, centres_.count - first);
+  counts_.evaluations += count;
+  const double most = Cube{{}, final_size_}.half_diagonal() + error_;
+  moved_.count = 0;
+  moved_from_.clear();
   for (std::size_t i = 0; i < count; ++i) {
-    if (outcomes_[i] != Outcome::moved_away) continue;
-    ContourPoint& point = found_[i];
-    point.error = 2 * error_;
+    if (std::fabs(feet_.distance[i] - level_.height) <= most) put(i, centres_.point(first + i), numbers);
+  }
+  check_moved(numbers);
+}
+
+void LeafDescent::put(std::size_t i, const Vec3& centre, FrameNumbers numbers) {
+  const auto number = static_cast<std::size_t>(feet_.number[i]);
+  const Placed placed{centre, points_.size(), true};
+  if (std::isinf(frames_[number].doubt) || !(feet_.distance[i] > error_)) {
+    failed_.push_back({centre, points_.size(), false});
+    return;
+  }
+  const Vec3 away{feet_.away[0][i], feet_.away[1][i], feet_.away[2][i]};
+  const double move = level_.height - feet_.distance[i];
+  const auto moved_by = [&](double length) {
+    return Vec3{centre.x + length * away.x, centre.y + length * away.y, centre.z + length * away.z};
+  };
+  const Vec3 x = moved_by(move);
+  points_.push_back({{middle_.x + x.x, middle_.y + x.y, middle_.z + x.z},
+                     {level_.side * away.x, level_.side * away.y, level_.side * away.z},
+                     base_triangle(number, static_cast<TrianglePlace>(feet_.place[i])),
+                     move > 0 ? 2 * error_ : error_});
+  if (move <= 0) return;
+  const Vec3 beyond = moved_by(move + 1.5 * error_);
+  const double half = region_.size / 2;
+  if (std::max({std::fabs(beyond.x), std::fabs(beyond.y), std::fabs(beyond.z)}) > half) {
+    beyond_.push_back(placed);
+  } else if (numbers.size() > 1) {
+    moved_from_.push_back(placed);
+    moved_.add(beyond);
+  }
+}
+
+/// The value a hair beyond a point, which has to reach the height by more than its own error, tells that the
+/// contour passes in between.
+void LeafDescent::check_moved(FrameNumbers numbers) {
+  squared_distances(frames_, numbers, moved_, squared_.data());
+  counts_.evaluations += moved_.count;
+  const double least = (level_.height + error_) * (1 + 4 * unit_roundoff);
+  for (std::size_t i = 0; i < moved_.count; ++i) {
+    if (!(squared_[i] >= least * least)) failed_.push_back(moved_from_[i]);
+  }
+}
+
+void LeafDescent::check_beyond_region() {
+  if (beyond_.empty()) return;
+  std::vector<Vec3> beyond;
+  for (const Placed& placed : beyond_) {
+    const ContourPoint& point = points_[placed.point];
     const double step = level_.side * 1.5 * error_;
-    const Vec3 x{point.position.x + step * point.normal.x, point.position.y + step * point.normal.y,
-                 point.position.z + step * point.normal.z};
-    if (holds(region_, x)) {
-      from[moved.count] = i;
-      moved.add(x.x - middle_.x, x.y - middle_.y, x.z - middle_.z);
-    } else {
-      ++counts_.evaluations;
-      const bool reached = std::fabs(signed_distance(field_, x)) >= level_.height + error_;
-      outcomes_[i] = reached ? Outcome::point : Outcome::single;
-    }
+    const Vec3 &x = point.position, &n = point.normal;
+    beyond.push_back({x.x + step * n.x, x.y + step * n.y, x.z + step * n.z});
   }
-  alignas(64) double squared[RegionPoints::most];
-  if (numbers.size() > 1) {
-    squared_distances(frames_, numbers, moved, squared);
-    counts_.evaluations += moved.count;
+  std::vector<double> distances(beyond.size());
+  const Run silent;
+  Progress progress(silent);
+  answer(field_, Points(beyond), 0, std::span<double>(distances), progress);
+  counts_.evaluations += beyond.size();
+  for (std::size_t i = 0; i < beyond.size(); ++i) {
+    if (!(std::fabs(distances[i]) >= level_.height + error_)) failed_.push_back(beyond_[i]);
   }
-  for (std::size_t k = 0; k < moved.count; ++k) {
-    const bool reached = numbers.size() == 1 || std::sqrt(squared[k]) >= level_.height + error_;
-    outcomes_[from[k]] = reached ? Outcome::point : Outcome::single;
+  beyond_.clear();
+}
+
+/// The general way for what failed, each point in its place.
+void LeafDescent::redo_failed() {
+  if (failed_.empty()) return;
+  std::stable_sort(failed_.begin(), failed_.end(),
+                   [](const Placed& a, const Placed& b) { return a.point < b.point; });
+  const std::vector<ContourPoint> before(std::move(points_));
+  points_.clear();
+  const double half = final_size_ / 2;
+  std::size_t next = 0;
+  const auto keep_until = [&](std::size_t end) {
+    points_.insert(points_.end(), before.begin() + static_cast<std::ptrdiff_t>(next),
+                   before.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  for (const Placed& placed : failed_) {
+    keep_until(placed.point);
+    next = placed.point + (placed.is_there ? 1 : 0);
+    const Vec3 c{middle_.x + placed.centre.x, middle_.y + placed.centre.y, middle_.z + placed.centre.z};
+    single_.finish({{c.x - half, c.y - half, c.z - half}, final_size_});
   }
+  keep_until(before.size());
+  failed_.clear();
 }
 
 std::uint32_t LeafDescent::base_triangle(std::size_t number, TrianglePlace place) {

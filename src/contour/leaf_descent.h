@@ -8,8 +8,9 @@
 ///
 /// A point moved away from its foot is tested a hair beyond: no triangle of the list may be closer there than
 /// the height. The list is complete for the points of the leaf, and kept so for cubes grown by what a point
-/// may be moved. What this cannot settle goes the general way (Descent::finish): cubes that the surface may
-/// enter, points moved across the medial axis or out of the region, triangles of no area.
+/// may be moved; beyond the region the field is asked. What this cannot settle goes the general way
+/// (Descent::finish): cubes that the surface may enter, points moved across the medial axis, triangles of no
+/// area.
 ///
 /// Rounding: geometry/feet.h. Points are within that of the contour, those moved away within twice that.
 #pragma once
@@ -41,22 +42,31 @@ class LeafDescent {
  private:
   /// What is known of a cube: is all of it on the contour's side?
   enum class Sided { open, right, wrong };
-  /// What a cube of final size comes to.
-  enum class Outcome : std::uint8_t { none, point, moved_away, single };
+  /// A cube of final size and the place of its point, if it has one.
+  struct Placed {
+    Vec3 centre;
+    std::size_t point;
+    bool is_there;
+  };
 
-  void descend(const Cube& cube, TileNumbers numbers, Sided sided);
-  void tile(const Cube& cube, TileNumbers numbers);
-  void keep_passing(TileNumbers numbers);
-  void finish(std::span<const Cube> cubes, TileNumbers numbers);
-  Outcome outcome(const Cube& cube, std::size_t i, ContourPoint& point);
-  void check_moved(TileNumbers numbers, std::size_t count);
+  Sided side_in(const Region& region) const noexcept;
+  void descend(const Cube& cube, FrameNumbers numbers, Sided sided);
+  void tile(const Cube& cube, FrameNumbers numbers);
+  void halve(double size);
+  void keep_passing(double size, FrameNumbers numbers);
+  void finish(std::size_t first, FrameNumbers numbers);
+  void put(std::size_t i, const Vec3& centre, FrameNumbers numbers);
+  void check_moved(FrameNumbers numbers);
+  void check_beyond_region();
+  void redo_failed();
   Sided side_of(const Cube& cube, double distance) noexcept;
-  void make_frames(TileNumbers numbers);
+  void make_frames(FrameNumbers numbers);
   std::uint32_t base_triangle(std::size_t number, TrianglePlace place);
   std::uint32_t lowest_at(std::size_t number, TrianglePlace place) const noexcept;
-  TileNumbers pruned(const Cube& cube, TileNumbers numbers, std::uint16_t* kept) const noexcept;
-  void add_centre(const Cube& cube, RegionPoints& points) const noexcept;
-  bool may_enter(double distance, const Cube& cube) const noexcept;
+  FrameNumbers pruned(const Cube& cube, FrameNumbers numbers, std::uint16_t* kept) const noexcept;
+  Vec3 from_middle(const Vec3& x) const noexcept {
+    return {x.x - middle_.x, x.y - middle_.y, x.z - middle_.z};
+  }
 
   const FieldData& field_;
   const Level& level_;
@@ -75,12 +85,15 @@ class LeafDescent {
   std::vector<TriangleFrame> frames_;  ///< by number, as far as asked for
   std::vector<bool> framed_;
   std::vector<std::array<std::uint32_t, 7>> base_;  ///< by number and place, as far as asked for
+  std::vector<Placed> beyond_;                      ///< moved out of the region
+  std::vector<Placed> failed_;                      ///< left to the general way
 
-  // Of the tile.
-  std::vector<Cube> cubes_, octants_;
+  // Of the tile, from the middle.
+  RegionPoints centres_, octants_;
+  alignas(64) std::array<double, RegionPoints::most> squared_;
   Feet feet_;
-  std::array<Outcome, RegionPoints::most> outcomes_{};
-  std::array<ContourPoint, RegionPoints::most> found_;
+  RegionPoints moved_;  ///< a hair beyond the points of
+  std::vector<Placed> moved_from_;
 };
 
 }  // namespace cdfr

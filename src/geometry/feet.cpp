@@ -64,7 +64,7 @@ HWY_INLINE Vector3 points_at(const RegionPoints& points, std::size_t first) {
   return {load(points.at[0] + first), load(points.at[1] + first), load(points.at[2] + first)};
 }
 
-void squared_distances_here(std::span<const TriangleFrame> frames, std::span<const std::uint16_t> numbers,
+void squared_distances_here(std::span<const TriangleFrame> frames, FrameNumbers numbers,
                             const RegionPoints& points, double* squared) {
   for (std::size_t first = 0; first < points.count; first += vector_lanes()) {
     const Vector3 p = points_at(points, first);
@@ -103,39 +103,51 @@ HWY_INLINE Border border(const Seen& s, const TriangleFrame& t) {
   return best;
 }
 
-void find_feet_here(std::span<const TriangleFrame> frames, std::span<const std::uint16_t> numbers,
-                    const RegionPoints& points, Feet& feet) {
+/// Of the vector's points: unit vectors for faces, offsets for the rest.
+struct Closest {
+  Vector squared, number, place;
+  Vector3 way;
+};
+
+HWY_INLINE void meet(const Vector3& p, const TriangleFrame& t, double number, Closest& best) {
   const Vector zero = constant(0);
-  for (std::size_t first = 0; first < points.count; first += vector_lanes()) {
-    const Vector3 p = points_at(points, first);
-    Vector least = constant(std::numeric_limits<double>::infinity()), number = zero, place = zero;
-    Vector3 offset{zero, zero, zero};
-    for (const std::uint16_t n : numbers) {
-      const TriangleFrame& t = frames[n];
-      const Seen s = seen(p, t);
-      const Mask closer = s.squared < least;
-      if (!any(closer)) continue;
-      least = least_of(least, s.squared);
-      number = choose(closer, constant(n), number);
-      Vector3 own{times(t.height.way[0], s.height), times(t.height.way[1], s.height),
-                  times(t.height.way[2], s.height)};
-      Vector own_place = zero;
-      if (any(closer & s.is_beside)) {
-        const Border b = border(s, t);
-        own = {choose(s.is_beside, own.x + b.offset.x, own.x), choose(s.is_beside, own.y + b.offset.y, own.y),
-               choose(s.is_beside, own.z + b.offset.z, own.z)};
-        own_place = choose(s.is_beside, b.place, zero);
-      }
-      offset = {choose(closer, own.x, offset.x), choose(closer, own.y, offset.y),
-                choose(closer, own.z, offset.z)};
-      place = choose(closer, own_place, place);
-    }
-    store(least, feet.squared + first);
-    store(offset.x, feet.offset[0] + first);
-    store(offset.y, feet.offset[1] + first);
-    store(offset.z, feet.offset[2] + first);
-    store(number, feet.number + first);
-    store(place, feet.place + first);
+  const Seen s = seen(p, t);
+  const Mask closer = s.squared < best.squared;
+  if (!any(closer)) return;
+  best.squared = least_of(best.squared, s.squared);
+  best.number = choose(closer, constant(number), best.number);
+  const Vector above = choose(s.height < zero, constant(-1), constant(1));
+  Vector3 way{times(t.height.way[0], above), times(t.height.way[1], above), times(t.height.way[2], above)};
+  Vector place = zero;
+  if (any(closer & s.is_beside)) {
+    const Border b = border(s, t);
+    const auto own = [&](int axis, Vector in_plane, Vector face) {
+      return choose(s.is_beside, times(t.height.way[axis], s.height) + in_plane, face);
+    };
+    way = {own(0, b.offset.x, way.x), own(1, b.offset.y, way.y), own(2, b.offset.z, way.z)};
+    place = choose(s.is_beside, b.place, zero);
+  }
+  best.way = {choose(closer, way.x, best.way.x), choose(closer, way.y, best.way.y),
+              choose(closer, way.z, best.way.z)};
+  best.place = choose(closer, place, best.place);
+}
+
+void find_feet_here(std::span<const TriangleFrame> frames, FrameNumbers numbers, const RegionPoints& points,
+                    std::size_t start, Feet& feet) {
+  const Vector zero = constant(0);
+  const std::size_t count = std::min(Feet::most, points.count - start);
+  for (std::size_t first = 0; first < count; first += vector_lanes()) {
+    const Vector3 p = points_at(points, start + first);
+    Closest best{constant(std::numeric_limits<double>::infinity()), zero, zero, {zero, zero, zero}};
+    for (const std::uint16_t n : numbers) meet(p, frames[n], n, best);
+    const Vector distance = root(best.squared);
+    const Vector scale = choose(best.place > zero, constant(1) / distance, constant(1));
+    store(distance, feet.distance + first);
+    store(best.way.x * scale, feet.away[0] + first);
+    store(best.way.y * scale, feet.away[1] + first);
+    store(best.way.z * scale, feet.away[2] + first);
+    store(best.number, feet.number + first);
+    store(best.place, feet.place + first);
   }
 }
 
@@ -186,14 +198,14 @@ TriangleFrame triangle_frame(const TriangleShape& shape, const Vec3& middle, dou
   return frame;
 }
 
-void squared_distances(std::span<const TriangleFrame> frames, std::span<const std::uint16_t> numbers,
+void squared_distances(std::span<const TriangleFrame> frames, FrameNumbers numbers,
                        const RegionPoints& points, double* squared) noexcept {
   HWY_DYNAMIC_DISPATCH(squared_distances_here)(frames, numbers, points, squared);
 }
 
-void find_feet(std::span<const TriangleFrame> frames, std::span<const std::uint16_t> numbers,
-               const RegionPoints& points, Feet& feet) noexcept {
-  HWY_DYNAMIC_DISPATCH(find_feet_here)(frames, numbers, points, feet);
+void find_feet(std::span<const TriangleFrame> frames, FrameNumbers numbers, const RegionPoints& points,
+               std::size_t first, Feet& feet) noexcept {
+  HWY_DYNAMIC_DISPATCH(find_feet_here)(frames, numbers, points, first, feet);
 }
 
 }  // namespace cdfr

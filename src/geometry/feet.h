@@ -41,35 +41,41 @@ struct TriangleFrame {
 /// As seen from the middle of points that are no farther from it than `radius`.
 TriangleFrame triangle_frame(const TriangleShape& shape, const Vec3& middle, double radius) noexcept;
 
-/// The first `count` count, the rest are any numbers.
+/// Of room for many, the first `count` count; those after them may be read as well.
 struct alignas(64) RegionPoints {
-  static constexpr std::size_t most = 64;
+  static constexpr std::size_t most = 512;
   double at[3][most];
-  std::size_t count;
+  std::size_t count = 0;
 
-  void add(double x, double y, double z) noexcept {
-    at[0][count] = x;
-    at[1][count] = y;
-    at[2][count] = z;
+  void add(const Vec3& p) noexcept {
+    at[0][count] = p.x;
+    at[1][count] = p.y;
+    at[2][count] = p.z;
     ++count;
   }
+  Vec3 point(std::size_t i) const noexcept { return {at[0][i], at[1][i], at[2][i]}; }
 };
+
+/// Places in an array of frames: the triangles that count.
+using FrameNumbers = std::span<const std::uint16_t>;
 
 /// By point.
 struct alignas(64) Feet {
-  double squared[RegionPoints::most];    ///< distance
-  double offset[3][RegionPoints::most];  ///< of the point from its foot
-  double number[RegionPoints::most];     ///< of the triangle, in `numbers`' terms: the first if several
-  double place[RegionPoints::most];      ///< TrianglePlace
+  static constexpr std::size_t most = 64;
+  double distance[most];
+  double away[3][most];  ///< from the foot to the point, of unit length; nothing where the distance is 0
+  double number[most];   ///< of the triangle: of several that are as close, the first
+  double place[most];    ///< TrianglePlace
 };
 
 /// Least squared distance of each point to the frames of these numbers. About 1.5 ns a point and triangle
 /// with AVX-512.
-void squared_distances(std::span<const TriangleFrame> frames, std::span<const std::uint16_t> numbers,
+void squared_distances(std::span<const TriangleFrame> frames, FrameNumbers numbers,
                        const RegionPoints& points, double* squared) noexcept;
 
-/// The same, and where it is reached.
-void find_feet(std::span<const TriangleFrame> frames, std::span<const std::uint16_t> numbers,
-               const RegionPoints& points, Feet& feet) noexcept;
+/// Of the points first .. min(first + Feet::most, points.count) - 1. Precondition: `first` is a multiple of
+/// Feet::most.
+void find_feet(std::span<const TriangleFrame> frames, FrameNumbers numbers, const RegionPoints& points,
+               std::size_t first, Feet& feet) noexcept;
 
 }  // namespace cdfr
