@@ -1,9 +1,6 @@
 /// A field of a part of many millions of triangles, built on disk in bounded memory; then read through the
 /// map.
 ///   bench_memory [--copies N] [--memory MIB] [--folder FOLDER] [--json FILE]
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -12,7 +9,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "arguments.h"
@@ -21,6 +17,7 @@
 #include "cdfr/parts/part.h"
 #include "cdfr/store/build_file.h"
 #include "cdfr/store/store.h"
+#include "peak_memory.h"
 #include "random.h"
 
 namespace cdfr::bench {
@@ -30,37 +27,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Anonymous memory of a process now, in MiB; 0 if it is gone.
-double anonymous_of(pid_t process) {
-  std::ifstream status("/proc/" + std::to_string(process) + "/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.rfind("RssAnon:", 0) == 0) return std::atof(line.c_str() + 8) / 1024;
-  }
-  return 0;
-}
-
-struct Measured {
-  double seconds = 0, peak = 0;
-  bool done = false;
-};
-
-/// Work in a process of its own, whose anonymous memory is sampled.
-template <class Work>
-Measured in_process(Work work) {
-  const auto start = Clock::now();
-  const pid_t child = ::fork();
-  if (child == 0) ::_exit(work() ? 0 : 1);
-  Measured measured;
-  int status = 0;
-  while (::waitpid(child, &status, WNOHANG) == 0) {
-    measured.peak = std::max(measured.peak, anonymous_of(child));
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  measured.seconds = seconds_since(start);
-  measured.done = status == 0;
-  return measured;
 }
 
 bool told(const Result<FileBuildReport>& result) {

@@ -21,9 +21,9 @@ struct Cube {
   double half_diagonal() const noexcept { return 0.8660254037844387 * size; }
 };
 
-/// May the contour enter the cube, given the value at its centre? The distance has slope 1.
+/// May the cube hold a point of the contour, given the value at its centre?
 inline bool passes(const Level& level, double value, const Cube& cube) noexcept {
-  return std::fabs(value - level.height) <= cube.half_diagonal() + level.rounding;
+  return std::fabs(value - level.height) <= level.reach(cube.half_diagonal()) + level.rounding;
 }
 
 }  // namespace cdfr

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "contour/exclusion.h"
 #include "core/vector.h"
+#include "field/distance_above.h"
 
 namespace cdfr {
 namespace {
@@ -24,13 +24,10 @@ Sample Descent::sample(const Vec3& x) noexcept {
 }
 
 void Descent::run(const Cube& cube) {
-  if (cube.half_diagonal() <= tolerance_ / 2) {
-    finish(cube);
-    return;
-  }
+  if (level_.is_final(cube.half_diagonal())) return finish(cube);
   for (int child = 0; child < 8; ++child) {
     const Cube octant = cube.octant(child);
-    if (octant.half_diagonal() <= tolerance_ / 2) {
+    if (level_.is_final(octant.half_diagonal())) {
       finish(octant);
       continue;
     }
@@ -41,7 +38,9 @@ void Descent::run(const Cube& cube) {
 
 void Descent::finish(const Cube& cube) {
   const Sample centre = sample(cube.centre());
-  if (!passes(level_, centre.value, cube) || put_point(centre, cube)) return;
+  if (!passes(level_, centre.value, cube)) return;
+  if (level_.rule == Rule::paper) return put_centre(centre);
+  if (put_point(centre, cube)) return;
   if (!centre.on_side && off_side(cube, centre.value)) return;
   Stuck stuck{cube, centre, centre};
   // Where the sign jumps, the centre may be above the height, its point on the wrong side.
@@ -51,6 +50,13 @@ void Descent::finish(const Cube& cube) {
   ++counts_.undecided;
   const Sample& at = stuck.highest;
   points_.push_back({at.position, at.gradient, at.triangle, std::numeric_limits<double>::infinity()});
+}
+
+void Descent::put_centre(const Sample& at) {
+  if (level_.jumps && !at.on_side) return;
+  const double beyond = at.value - level_.height;
+  points_.push_back({at.position, at.gradient, at.triangle,
+                     beyond >= 0 ? beyond + level_.rounding : std::numeric_limits<double>::infinity()});
 }
 
 bool Descent::put_point(const Sample& at, const Cube& within) {
@@ -80,7 +86,7 @@ bool Descent::put_along(const Sample& at, const Vec3& along, const Cube& within)
 
 /// A point serves a cube if it is within E/2 of the centre: then it is within E of all of the cube.
 bool Descent::put(const Vec3& position, const Sample& from, double error, const Cube& within) {
-  if (distance_apart(position, within.centre()) > tolerance_ / 2 + 16 * level_.rounding) return false;
+  if (distance_apart(position, within.centre()) > level_.tolerance / 2 + 16 * level_.rounding) return false;
   if (level_.jumps && level_.height > 0) {
     const Sample here = sample(position);
     if (here.on_side) points_.push_back({position, here.gradient, here.triangle, error});

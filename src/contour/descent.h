@@ -12,12 +12,14 @@
 ///    length.
 ///  - otherwise the ray has crossed the medial axis: the cube is halved again, depth first. Pieces that the
 ///  contour provably
-///    misses (exclusion.h) are dropped; centres and corners are tried as above, until one point of the
-///    contour is found no farther than E/2 from c.
+///    misses (field/distance_above.h) are dropped; centres and corners are tried as above, until one point of
+///    the contour is found no farther than E/2 from c.
 /// Any x on the contour lies in some cube that passes, within E/2 of its centre, so within E of that cube's
 /// point. A cube that 2^-10 of its edge, or a fixed number of trials, leaves undecided gives the place where
 /// the value came closest, with an infinite error: nothing says that the contour is near. It happens where
 /// the height is the depth of a medial sheet to the last bits.
+///
+/// Rule::paper only differs at the end: cubes of its final size that pass give their centres.
 ///
 /// Where the sign jumps (Level), a point counts only on the contour's side, and a cube without triangles that
 /// the winding number keeps on the other side (field/winding.h) is excluded.
@@ -46,8 +48,8 @@ struct DescentCounts {
 class Descent {
  public:
   /// Points are appended to `points` in Morton order.
-  Descent(const FieldData& field, const Level& level, double tolerance, std::vector<ContourPoint>& points)
-      : field_(field), level_(level), tolerance_(tolerance), points_(points) {}
+  Descent(const FieldData& field, const Level& level, std::vector<ContourPoint>& points)
+      : field_(field), level_(level), points_(points) {}
 
   /// Precondition: the cube passes.
   void run(const Cube& cube);
@@ -69,6 +71,7 @@ class Descent {
   };
 
   Sample sample(const Vec3& x) noexcept;
+  void put_centre(const Sample& at);
   bool put_point(const Sample& at, const Cube& within);
   bool put_away(const Sample& at, const Cube& within);
   bool put_along(const Sample& at, const Vec3& direction, const Cube& within);
@@ -82,7 +85,6 @@ class Descent {
 
   const FieldData& field_;
   const Level& level_;
-  double tolerance_;
   std::vector<ContourPoint>& points_;
   DescentCounts counts_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/vector.h"
@@ -24,11 +25,19 @@ bool among(std::uint32_t id, const Ids& ids) noexcept {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
+/// The edge or vertex at that place of the first one; for the face, all corners.
+bool shares(const TriangleRecord& own, const TriangleRecord& other, TrianglePlace place) noexcept {
+  if (place >= 4) return among(own.vertices[place - 4], other.vertices);
+  if (place > 0) return among(own.edges[place - 1], other.edges);
+  return among(own.vertices[0], other.vertices) && among(own.vertices[1], other.vertices) &&
+         among(own.vertices[2], other.vertices);
+}
+
 }  // namespace
 
-LeafDescent::LeafDescent(const FieldData& field, const Level& level, double tolerance, Descent& single,
+LeafDescent::LeafDescent(const FieldData& field, const Level& level, Descent& single,
                          std::vector<ContourPoint>& points)
-    : field_(field), level_(level), tolerance_(tolerance), single_(single), points_(points) {}
+    : field_(field), level_(level), single_(single), points_(points) {}
 
 LeafDescent::Sided LeafDescent::side_in(const Region& region) const noexcept {
   if (field_.sign == Sign::none) return Sided::right;
@@ -37,7 +46,7 @@ LeafDescent::Sided LeafDescent::side_in(const Region& region) const noexcept {
 }
 
 bool LeafDescent::run(const Region& region) {
-  const bool is_fine = tolerance_ < least_tolerance * level_.rounding;
+  const bool is_fine = level_.tolerance < least_tolerance * level_.rounding;
   if (level_.height == 0 || region.list.empty() || is_fine) return false;
   const Sided sided = side_in(region);
   if (sided == Sided::open && level_.jumps) return false;
@@ -52,7 +61,7 @@ bool LeafDescent::run(const Region& region) {
   const Vec3 in_edges{from_origin.x * scale, from_origin.y * scale, from_origin.z * scale};
   if (!list_.fill(field_.triangles, lattice, region.list, in_edges, radius_ * scale)) return false;
   final_size_ = region.cube.size;
-  while (Cube{{}, final_size_}.half_diagonal() > tolerance_ / 2) final_size_ /= 2;
+  while (!level_.is_final(Cube{{}, final_size_}.half_diagonal())) final_size_ /= 2;
   error_ = 0;
   const std::size_t count = list_.triangles.size();
   frames_.resize(count);
@@ -109,7 +118,7 @@ void LeafDescent::descend(const Cube& cube, FrameNumbers numbers, Sided sided) {
   for (int child = 0; child < 8; ++child) {
     const Cube octant = cube.octant(child);
     const double distance = std::sqrt(squared[static_cast<std::size_t>(child)]);
-    if (std::fabs(distance - level_.height) > octant.half_diagonal() + error_) continue;
+    if (std::fabs(distance - level_.height) > level_.reach(octant.half_diagonal()) + error_) continue;
     const Sided own = sided == Sided::open ? side_of(octant, distance) : sided;
     if (own == Sided::wrong) continue;
     std::array<std::uint16_t, TileList::most> kept;
@@ -150,7 +159,7 @@ void LeafDescent::halve(double size) {
 void LeafDescent::keep_passing(double size, FrameNumbers numbers) {
   squared_distances(frames_, numbers, octants_, squared_.data());
   counts_.evaluations += octants_.count;
-  const double most = Cube{{}, size}.half_diagonal() + error_;
+  const double most = level_.reach(Cube{{}, size}.half_diagonal()) + error_;
   const double lo = std::max(0.0, level_.height - most) * (1 - 4 * unit_roundoff);
   const double hi = (level_.height + most) * (1 + 4 * unit_roundoff);
   centres_.count = 0;
@@ -164,13 +173,19 @@ void LeafDescent::finish(std::size_t first, FrameNumbers numbers) {
   find_feet(frames_, numbers, centres_, first, feet_);
   const std::size_t count = std::min(Feet::most, centres_.count - first);
   counts_.evaluations += count;
-  const double most = Cube{{}, final_size_}.half_diagonal() + error_;
+  const double most = level_.reach(Cube{{}, final_size_}.half_diagonal()) + error_;
   moved_.count = 0;
   moved_from_.clear();
   for (std::size_t i = 0; i < count; ++i) {
     if (std::fabs(feet_.distance[i] - level_.height) <= most) put(i, centres_.point(first + i), numbers);
   }
   check_moved(numbers);
+}
+
+/// Of a point that is to move away from its foot by so much.
+double LeafDescent::error_of(double move) const noexcept {
+  if (level_.rule == Rule::paper) return move > 0 ? std::numeric_limits<double>::infinity() : error_ - move;
+  return move > 0 ? 2 * error_ : error_;
 }
 
 void LeafDescent::put(std::size_t i, const Vec3& centre, FrameNumbers numbers) {
@@ -185,12 +200,12 @@ void LeafDescent::put(std::size_t i, const Vec3& centre, FrameNumbers numbers) {
   const auto moved_by = [&](double length) {
     return Vec3{centre.x + length * away.x, centre.y + length * away.y, centre.z + length * away.z};
   };
-  const Vec3 x = moved_by(move);
+  const Vec3 x = level_.rule == Rule::paper ? centre : moved_by(move);
   points_.push_back({{middle_.x + x.x, middle_.y + x.y, middle_.z + x.z},
                      {level_.side * away.x, level_.side * away.y, level_.side * away.z},
                      base_triangle(number, static_cast<TrianglePlace>(feet_.place[i])),
-                     move > 0 ? 2 * error_ : error_});
-  if (move <= 0) return;
+                     error_of(move)});
+  if (move <= 0 || level_.rule == Rule::paper) return;
   const Vec3 beyond = moved_by(move + 1.5 * error_);
   const double half = region_.size / 2;
   if (std::max({std::fabs(beyond.x), std::fabs(beyond.y), std::fabs(beyond.z)}) > half) {
@@ -267,12 +282,9 @@ std::uint32_t LeafDescent::lowest_at(std::size_t number, TrianglePlace place) co
   std::uint32_t lowest = own.number;
   for (const std::uint32_t slot : list_.slots) {
     const TriangleRecord& other = field_.triangles.records[slot];
-    const bool shares =
-        place == 0  ? std::is_permutation(own.vertices.begin(), own.vertices.end(), other.vertices.begin())
-        : place < 4 ? among(own.edges[place - 1], other.edges)
-                    : among(own.vertices[place - 4], other.vertices);
+    if (other.number > lowest || !shares(own, other, place)) continue;
     const bool has_area = !(rounded(field_.triangles.shape(slot).normal) == Vec3{});
-    if (shares && has_area) lowest = std::min(lowest, other.number);
+    if (has_area) lowest = other.number;
   }
   return lowest;
 }

@@ -30,8 +30,7 @@ namespace cdfr {
 class LeafDescent {
  public:
   /// Points are appended to `points`, as `single` appends its own.
-  LeafDescent(const FieldData& field, const Level& level, double tolerance, Descent& single,
-              std::vector<ContourPoint>& points);
+  LeafDescent(const FieldData& field, const Level& level, Descent& single, std::vector<ContourPoint>& points);
 
   /// False, and nothing done, if the region's list is none that this takes: it has BVH nodes, or very many
   /// triangles. Precondition: the region passes.
@@ -55,6 +54,7 @@ class LeafDescent {
   void halve(double size);
   void keep_passing(double size, FrameNumbers numbers);
   void finish(std::size_t first, FrameNumbers numbers);
+  double error_of(double move) const noexcept;
   void put(std::size_t i, const Vec3& centre, FrameNumbers numbers);
   void check_moved(FrameNumbers numbers);
   void check_beyond_region();
@@ -70,7 +70,6 @@ class LeafDescent {
 
   const FieldData& field_;
   const Level& level_;
-  double tolerance_;
   Descent& single_;
   std::vector<ContourPoint>& points_;
   DescentCounts counts_;

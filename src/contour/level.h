@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "cdfr/contour/contour.h"
 #include "cdfr/core/types.h"
 #include "field/field_data.h"
 #include "field/query.h"
@@ -21,6 +22,22 @@ struct Level {
   double rounding =
       0;  ///< 16 ulp at the largest coordinate in play: covers the kernel (4) and one point's arithmetic
   bool jumps = false;
+  Rule rule = Rule::closed;
+  double tolerance = 0;
+
+  /// Is a cube of that half diagonal halved no more?
+  bool is_final(double half_diagonal) const noexcept {
+    return rule == Rule::closed ? half_diagonal <= tolerance / 2 : half_diagonal < tolerance;
+  }
+  /// How far the value at a cube's centre may be from the height if a final cube in it gives a point: the
+  /// distance has slope 1, and the centres of the cubes in it are within the difference of the half
+  /// diagonals.
+  double reach(double half_diagonal) const noexcept {
+    if (rule == Rule::closed) return half_diagonal;
+    double last = half_diagonal;
+    while (!is_final(last)) last /= 2;
+    return half_diagonal - last + tolerance / 2;
+  }
 
   double value(double signed_distance) const noexcept {
     return jumps ? std::fabs(signed_distance) : side * signed_distance;

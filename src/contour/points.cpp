@@ -25,18 +25,22 @@ namespace {
 /// the caches.
 constexpr std::size_t regions_a_thread = 8;
 
-Level level_of(const FieldData& field, double distance) noexcept {
+Level level_of(const FieldData& field, double distance, Rule rule, double tolerance) noexcept {
   const Box domain = field.tree.lattice.domain();
   const double largest =
       std::max(largest_magnitude(domain.lo), largest_magnitude(domain.hi)) + std::fabs(distance);
-  return {std::fabs(distance), distance < 0 ? -1.0 : 1.0, 16 * std::ldexp(1.0, std::ilogb(largest) - 52),
-          !field.winding.empty()};
+  return {std::fabs(distance),
+          distance < 0 ? -1.0 : 1.0,
+          16 * std::ldexp(1.0, std::ilogb(largest) - 52),
+          !field.winding.empty(),
+          rule,
+          tolerance};
 }
 
 /// What finds the points of one region after another, and keeps its memory.
 struct Worker {
-  Worker(const FieldData& field, const Level& level, double tolerance)
-      : descent(field, level, tolerance, points), in_leaf(field, level, tolerance, descent, points) {}
+  Worker(const FieldData& field, const Level& level)
+      : descent(field, level, points), in_leaf(field, level, descent, points) {}
 
   void run(const Region& region) {
     points.clear();
@@ -61,33 +65,31 @@ void describe(const std::vector<ContourPoint>& points, ContourReport& report) {
   }
 }
 
-double subvoxel_of(const Lattice& lattice, double tolerance) noexcept {
+double subvoxel_of(const Lattice& lattice, const Level& level) noexcept {
   Cube cube{{}, lattice.edge};
-  while (cube.half_diagonal() > tolerance / 2) cube.size /= 2;
+  while (!level.is_final(cube.half_diagonal())) cube.size /= 2;
   return cube.size;
 }
 
 class Extraction {
  public:
-  Extraction(const FieldData& field, const Level& level, double tolerance, PointSink& sink,
-             Progress& progress)
-      : field_(field), level_(level), tolerance_(tolerance), sink_(sink), progress_(progress) {
+  Extraction(const FieldData& field, const Level& level, PointSink& sink, Progress& progress)
+      : field_(field), level_(level), sink_(sink), progress_(progress) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     report_.box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-    report_.subvoxel = subvoxel_of(field.tree.lattice, tolerance);
+    report_.subvoxel = subvoxel_of(field.tree.lattice, level);
     report_.leaves = field.tree.leaves.size();
     const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
     for (std::size_t i = 0; i < threads * regions_a_thread; ++i)
-      workers_.push_back(std::make_unique<Worker>(field, level, tolerance));
+      workers_.push_back(std::make_unique<Worker>(field, level));
   }
 
   Result<ContourReport> run() {
-    const RegionCounts counts =
-        for_each_region(field_, level_, tolerance_, progress_, [this](const Region& region) {
-          wave_.push_back(region);
-          if (wave_.size() == workers_.size()) flush();
-          return static_cast<bool>(written_) && !progress_.cancelled();
-        });
+    const RegionCounts counts = for_each_region(field_, level_, progress_, [this](const Region& region) {
+      wave_.push_back(region);
+      if (wave_.size() == workers_.size()) flush();
+      return static_cast<bool>(written_) && !progress_.cancelled();
+    });
     if (!progress_.cancelled()) flush();
     if (field_.failed()) return field_.status().error();
     if (progress_.cancelled()) return Progress::error();
@@ -126,7 +128,6 @@ class Extraction {
 
   const FieldData& field_;
   const Level& level_;
-  double tolerance_;
   PointSink& sink_;
   Progress& progress_;
   std::vector<std::unique_ptr<Worker>> workers_;  ///< one for each region of a wave
@@ -150,17 +151,17 @@ Result<ContourReport> contour_points(const Field& field, double distance, const 
   if (!(tolerance > 0) || !std::isfinite(tolerance) || tolerance < longest * 0x1p-40) {
     return Error{Code::bad_option, 0, "tolerance must be at least 2^-40 of the longest side"};
   }
-  if (tolerance < 4 * level_of(data, distance).rounding) {
+  const Level level = level_of(data, distance, options.rule, tolerance);
+  if (tolerance < 4 * level.rounding) {
     return Error{Code::bad_option, 0, "tolerance must be at least 64 ulp of the largest coordinate"};
   }
   if (distance < 0 && data.sign == Sign::none) {
     return Error{Code::not_closed, 0, "an unsigned field has no inside: no contour at a depth"};
   }
-  const Level level = level_of(data, distance);
   Progress progress(run);
   progress.watch(data.map.get());
   Result<ContourReport> report = Progress::error();
-  with_threads(run, [&] { report = Extraction(data, level, tolerance, sink, progress).run(); });
+  with_threads(run, [&] { report = Extraction(data, level, sink, progress).run(); });
   return report;
 }
 

@@ -13,9 +13,9 @@ namespace {
 
 class Regions {
  public:
-  Regions(const FieldData& field, const Level& level, double tolerance, Progress& progress,
+  Regions(const FieldData& field, const Level& level, Progress& progress,
           const std::function<bool(const Region&)>& take)
-      : field_(field), level_(level), tolerance_(tolerance), progress_(progress), take_(take) {}
+      : field_(field), level_(level), progress_(progress), take_(take) {}
 
   RegionCounts run() {
     const std::vector<std::vector<Visited>> visited = visited_leaves();
@@ -52,7 +52,8 @@ class Regions {
         const LeafRecord& leaf = block.leaves[number];
         const double least = block.entries[leaf.first].distance() * lattice.edge;
         if (level_.jumps && leaf.side() == level_.other_side()) return;
-        if (least > level_.height + cube.half_diagonal() + level_.rounding || !progress_.poll()) return;
+        if (least > level_.height + level_.reach(cube.half_diagonal()) + level_.rounding || !progress_.poll())
+          return;
         ++evaluations[i];
         if (!passes(level_, value_at(field_, level_, cube.centre()), cube)) return;
         visited[i].push_back({cube, {block.entries.data() + leaf.first, leaf.count()}, leaf.side()});
@@ -63,7 +64,7 @@ class Regions {
   }
 
   bool small_enough(const Cube& cube) const noexcept {
-    return std::ldexp(cube.half_diagonal(), -region_depth) <= tolerance_ / 2;
+    return level_.is_final(std::ldexp(cube.half_diagonal(), -region_depth));
   }
 
   bool passes_at_centre(const Cube& cube) noexcept {
@@ -86,7 +87,8 @@ class Regions {
   bool reaches_beyond() const noexcept {
     const Box domain = field_.tree.lattice.domain();
     const Box& box = field_.bounds();
-    const double reach = level_.side > 0 || level_.jumps ? level_.height + level_.rounding : 0;
+    const double beside = level_.rule == Rule::paper ? level_.tolerance / 2 : 0;
+    const double reach = level_.side > 0 || level_.jumps ? level_.height + beside + level_.rounding : beside;
     return !contains(domain, {box.lo.x - reach, box.lo.y - reach, box.lo.z - reach}) ||
            !contains(domain, {box.hi.x + reach, box.hi.y + reach, box.hi.z + reach});
   }
@@ -98,7 +100,7 @@ class Regions {
     const Box& box = field_.bounds();
     const double longest = longest_side(box);
     double size = 16 * lattice.edge;
-    while (size < 4 * (level_.height + longest)) size *= 2;
+    while (size < 4 * (level_.height + level_.tolerance + longest)) size *= 2;
     const double before = size / 2 - 4 * lattice.edge;
     return {{lattice.origin.x - before, lattice.origin.y - before, lattice.origin.z - before}, size};
   }
@@ -121,7 +123,6 @@ class Regions {
 
   const FieldData& field_;
   const Level& level_;
-  double tolerance_;
   Progress& progress_;
   const std::function<bool(const Region&)>& take_;
   RegionCounts counts_;
@@ -129,9 +130,9 @@ class Regions {
 
 }  // namespace
 
-RegionCounts for_each_region(const FieldData& field, const Level& level, double tolerance, Progress& progress,
+RegionCounts for_each_region(const FieldData& field, const Level& level, Progress& progress,
                              const std::function<bool(const Region&)>& take) {
-  return Regions(field, level, tolerance, progress, take).run();
+  return Regions(field, level, progress, take).run();
 }
 
 }  // namespace cdfr

@@ -34,8 +34,8 @@ struct RegionCounts {
 };
 
 /// Calls take(region) in Morton order, leaves first, until it returns false. Leaves are tested in parallel,
-/// those visited are kept. `tolerance` tells how small the final cubes are.
-RegionCounts for_each_region(const FieldData& field, const Level& level, double tolerance, Progress& progress,
+/// those visited are kept.
+RegionCounts for_each_region(const FieldData& field, const Level& level, Progress& progress,
                              const std::function<bool(const Region&)>& take);
 
 }  // namespace cdfr

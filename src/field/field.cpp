@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <utility>
 
+#include "core/floating_environment.h"
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "field/batch.h"
@@ -13,8 +15,10 @@
 #include "field/field_data.h"
 #include "field/grid_query.h"
 #include "field/leaves.h"
+#include "field/deepest.h"
 #include "field/query.h"
 #include "field/stats.h"
+#include "geometry/box_distance.h"
 
 namespace cdfr {
 namespace {
@@ -102,6 +106,21 @@ Result<void> Field::distance(const Grid& grid, std::span<double> out, const Run&
 
 Result<void> Field::closest(Points x, std::span<Closest> out, const Run& run) const {
   return answer_all(*data_, x, out, run);
+}
+
+Result<Deepest> Field::deepest(double error, const Run& run) const {
+  if (!(error >= 0 && std::isfinite(error)))
+    return Error{Code::bad_option, 0, "error must be 0 or more and finite"};
+  if (data_->sign == Sign::none)
+    return Error{Code::not_closed, 0, "an unsigned field has no inside: no deepest point"};
+  const FloatingEnvironment environment;
+  Progress progress(run);
+  progress.watch(data_->map.get());
+  Result<Deepest> deepest = Progress::error();
+  with_threads(run, [&] {
+    deepest = deepest_point(*data_, error > 0 ? error : longest_side(bounds()) / 1000, progress);
+  });
+  return deepest;
 }
 
 Box Field::domain() const noexcept { return data_->tree.lattice.domain(); }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "cdfr/export/write.h"
 #include "cdfr/mesh/read.h"
 #include "cdfr/render/splat.h"
+#include "choice_option.h"
 #include "input.h"
 #include "json_report.h"
 #include "number_option.h"
@@ -29,9 +31,12 @@
 namespace cdfr::command {
 namespace {
 
+const std::map<std::string, Rule> rules{{"closed", Rule::closed}, {"paper", Rule::paper}};
+
 struct Arguments {
   std::string input, output, picture, part;
   double distance = 0, depth = 0, tolerance = 0;
+  Rule rule = Rule::closed;
   const CLI::Option *distance_option = nullptr, *depth_option = nullptr;
   Settings settings;
 
@@ -105,8 +110,8 @@ Contour extract(const Arguments& arguments, const Input& input, const Mesh& part
   contour.tolerance = arguments.tolerance > 0 ? arguments.tolerance : default_tolerance(input.field);
   Steering steering(arguments.settings, "extracting");
   Recorder recorder = open_recorder(arguments, input.unit);
-  const auto report =
-      contour_points(input.field, contour.distance, {contour.tolerance}, recorder, steering.run());
+  const auto report = contour_points(input.field, contour.distance, {contour.tolerance, arguments.rule},
+                                     recorder, steering.run());
   const bool at_output = !report && report.error().code == Code::file_write;
   contour.report = need(report, at_output ? arguments.output : arguments.input);
   if (!arguments.picture.empty()) {
@@ -125,6 +130,7 @@ Json contour_json(const Arguments& arguments, const Input& input, const Contour&
   json["audit"] = json_of(input.field.report());
   json["distance"] = contour.distance;
   json["tolerance"] = contour.tolerance;
+  json["rule"] = arguments.rule == Rule::paper ? "paper" : "closed";
   json["leaves"] = report.leaves;
   json["visited"] = report.visited;
   json["productive"] = report.productive;
@@ -211,6 +217,9 @@ void add_contour(CLI::App& program) {
       add_number(*verb, "--depth", arguments->depth, {}, "Depth below the surface: --distance of -T");
   add_number(*verb, "--tolerance", arguments->tolerance, {std::numeric_limits<double>::min()},
              "Largest distance from any point of the contour to a point found (longest side / 1000)");
+  add_choice(*verb, "--rule", arguments->rule, rules,
+             "Which sub-voxels give points: closed (no hole, no ghost) or paper (the source paper's, for "
+             "comparison)");
   verb->add_option("-o,--output", arguments->output, "Points (.ply, .glb, .csv)")->type_name("FILE");
   verb->add_option("--picture", arguments->picture,
                    "Picture of the points, the part faint around them (.png)")

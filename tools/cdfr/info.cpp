@@ -5,8 +5,10 @@
 #include "cdfr/store/store.h"
 #include "field_report.h"
 #include "input.h"
+#include "number_text.h"
 #include "steering.h"
 #include "stop.h"
+#include "unit.h"
 #include "verbs.h"
 
 namespace cdfr::command {
@@ -14,7 +16,7 @@ namespace {
 
 struct Arguments {
   std::string input;
-  bool verify = false;
+  bool verify = false, deepest = false;
   Settings settings;
 };
 
@@ -26,16 +28,35 @@ void check(const Arguments& arguments) {
   need(verify(arguments.input, steering.run()), arguments.input);
 }
 
+Deepest deepest_of(const Arguments& arguments, const Input& input) {
+  Steering steering(arguments.settings, "looking for the deepest point");
+  const Deepest deepest = need(input.field.deepest(0, steering.run()), arguments.input);
+  stop_if_interrupted();
+  return deepest;
+}
+
+std::string deepest_text(const Deepest& d, const std::string& unit) {
+  return "deepest: " + short_text(d.depth) + after_number(unit) + " +- " + short_text(d.error) +
+         (d.depth > 0 ? " at " + short_text(d.point) : ", no point inside") + "\n";
+}
+
+Json deepest_json(const Deepest& d) {
+  return {{"depth", d.depth}, {"error", d.error}, {"point", {d.point.x, d.point.y, d.point.z}}};
+}
+
 void info(const Arguments& arguments) {
   if (arguments.verify) check(arguments);
-  const Input input = open_input(arguments.input, arguments.settings);
+  const Input input =
+      open_input(arguments.input, arguments.settings, arguments.deepest ? Demand::inside : Demand::any_field);
   if (arguments.settings.json) {
     Json report = field_json(arguments.input, input);
+    if (arguments.deepest) report["deepest"] = deepest_json(deepest_of(arguments, input));
     if (arguments.verify) report["verified"] = true;
     need(input.field.status(), arguments.input);
     print_json(report);
   } else {
-    const std::string text = field_text(arguments.input, input);
+    std::string text = field_text(arguments.input, input);
+    if (arguments.deepest) text += deepest_text(deepest_of(arguments, input), input.unit);
     need(input.field.status(), arguments.input);
     print_text(text +
                (arguments.verify ? "verified: what a build of its mesh gives, to the last bit\n" : ""));
@@ -50,6 +71,8 @@ void add_info(CLI::App& program) {
   verb->add_option("INPUT", arguments->input, "Saved field, or a mesh that is built first")->required();
   verb->add_flag("--verify", arguments->verify,
                  "Check every byte of a saved field: checksums, then what a build of its mesh gives");
+  verb->add_flag("--deepest", arguments->deepest,
+                 "Look for the deepest point inside too, to the longest side / 1000");
   add_field_options(*verb, arguments->settings);
   verb->footer("Example:\n  cdfr info part.cdfr --json");
   verb->callback([arguments] { info(*arguments); });

@@ -3,6 +3,7 @@
 #include <limits>
 #include <map>
 
+#include "choice_option.h"
 #include "number_option.h"
 #include "unit.h"
 
@@ -18,20 +19,6 @@ const std::map<std::string, Sign> signs{{"auto", Sign::automatic},
                                         {"winding", Sign::winding},
                                         {"none", Sign::none}};
 const std::map<std::string, Lists> lists_by_name{{"corner", Lists::corner}, {"band", Lists::band}};
-
-/// An option whose value is one of a few words.
-template <class Value>
-CLI::Option* add_choice(CLI::App& verb, const std::string& name, Value& target,
-                        const std::map<std::string, Value>& choices, const std::string& description) {
-  const auto set = [name, &target, &choices](const std::string& word) {
-    const auto found = choices.find(word);
-    if (found != choices.end()) return void(target = found->second);
-    std::string known;
-    for (const auto& choice : choices) known += (known.empty() ? "" : ", ") + choice.first;
-    throw CLI::ValidationError(name, "'" + word + "' is none of " + known);
-  };
-  return verb.add_option_function<std::string>(name, set, description)->type_name("WORD");
-}
 
 /// "band:2.5" says how wide.
 CLI::Option* add_domain(CLI::App& verb, BuildOptions& build) {

@@ -36,6 +36,13 @@ struct Closest {
   std::array<double, 3> barycentric{};  ///< of `point` in the triangle; they add up to 1
 };
 
+/// The centre of the largest ball that fits inside, as far as it was asked for.
+struct Deepest {
+  Vec3 point;        ///< nothing of use if no point inside was found
+  double depth = 0;  ///< of the point; 0 if no point inside was found
+  double error = 0;  ///< no point is deeper than depth + error
+};
+
 /// Leaves that the domain leaves out are not counted, but in `levels`.
 struct Stats {
   std::uint64_t triangles = 0, vertices = 0;
@@ -70,6 +77,11 @@ class CDFR_API Field {
   /// out.size() == grid.count().
   Result<void> distance(const Grid& grid, std::span<double> out, const Run& run = {}) const;
   Result<void> closest(Points x, std::span<Closest> out, const Run& run = {}) const;
+
+  /// The deepest point inside, to that error in the mesh's unit; 0 takes the longest side / 1000. Errors:
+  /// bad_option (not finite, or negative), not_closed (an unsigned field has no inside), cancelled; status().
+  /// O(leaves), then some hundred distances as a rule, and more the more places are about as deep.
+  Result<Deepest> deepest(double error = 0, const Run& run = {}) const;
 
   /// Of a field from a file: an error if something that was read turned out to be damaged, or the file has been cut
   /// short, changed or replaced since. Damage is for good: from then on every distance is NaN, and calls that

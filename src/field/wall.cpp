@@ -1,4 +1,4 @@
-#include "contour/wall.h"
+#include "field/wall.h"
 
 #include <Eigen/Geometry>
 

@@ -1,11 +1,11 @@
-#include "contour/exclusion.h"
+#include "field/distance_above.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
 
-#include "contour/wall.h"
+#include "field/wall.h"
 #include "field/query.h"
 #include "geometry/query_range.h"
 
