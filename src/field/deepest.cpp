@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "field/block_sides.h"
 #include "field/distance_above.h"
 #include "field/leaves.h"
 #include "field/query.h"
@@ -24,9 +25,12 @@ struct Cube {
 
   Vec3 centre() const noexcept { return {lo.x + size / 2, lo.y + size / 2, lo.z + size / 2}; }
   double half_diagonal() const noexcept { return 0.8660254037844387 * size; }
-  /// Of a heap: the largest bound on top, of those the first.
+  double rank = 0;  ///< the bound in whole errors
+  /// Of a heap: the largest rank on top, of those the smallest cube. Along a plate's middle all bounds are
+  /// the same but for rounding; one has to be looked into to the end before the others.
   friend bool operator<(const Cube& a, const Cube& b) noexcept {
-    return a.bound != b.bound ? a.bound < b.bound : a.number > b.number;
+    if (a.rank != b.rank) return a.rank < b.rank;
+    return a.size != b.size ? a.size > b.size : a.number > b.number;
   }
 };
 
@@ -49,14 +53,17 @@ class Search {
     }
     for (const Looked& leaf : leaves_) keep(leaf.cube);
     leaves_.clear();
-    while (!open_.empty() && open_.top().bound > best_.depth + error_ && progress_.poll()) {
+    while (!open_.empty() && progress_.poll()) {
       const Cube cube = open_.top();
       open_.pop();
-      halve(cube);
+      if (cube.bound > best_.depth + error_) {
+        halve(cube);
+      } else {
+        close(cube);
+      }
     }
     if (field_.failed()) return field_.status().error();
     if (progress_.cancelled()) return Progress::error();
-    if (!open_.empty()) closed_ = std::max(closed_, open_.top().bound);
     best_.error = std::max(rounding_, closed_ - best_.depth);
     return best_;
   }
@@ -70,10 +77,18 @@ class Search {
   }
 
   Looked look(const Vec3& lo, double size) noexcept {
-    Looked looked{{lo, size, 0, 0}, 0};
+    Looked looked;
+    looked.cube.lo = lo;
+    looked.cube.size = size;
     looked.depth = -signed_distance(field_, looked.cube.centre());
-    const double height = field_.winding.empty() ? looked.depth : std::fabs(looked.depth);
-    looked.cube.bound = height + looked.cube.half_diagonal() + rounding_;
+    const double radius = looked.cube.half_diagonal() + rounding_;
+    const bool jumps = !field_.winding.empty();
+    const double height = jumps ? std::fabs(looked.depth) : looked.depth;
+    looked.cube.bound = height + radius;
+    // Where the sign jumps, the other side goes on with distances as large.
+    if (jumps && looked.depth < -radius &&
+        side_of_free_ball(field_, looked.cube.centre(), radius) == Side::outside)
+      looked.cube.bound = 0;
     return looked;
   }
 
@@ -102,6 +117,7 @@ class Search {
     if (!(cube.bound > best_.depth + error_)) return close(cube);
     cube.bound = std::min(cube.bound, distance_above(field_, cube.lo, cube.size) + rounding_);
     cube.number = next_++;
+    cube.rank = std::floor(cube.bound / error_);
     if (!(cube.bound > best_.depth + error_)) return close(cube);
     open_.push(cube);
   }

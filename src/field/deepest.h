@@ -13,7 +13,7 @@ namespace cdfr {
 ///  - the depth of c and sqrt(3)/2 s, since the distance has slope 1, or
 ///  - distance_above's bound, which is exact between parallel walls, where the slope alone would leave all
 ///    cubes of a plate's middle plane to the end.
-/// The cube with the largest bound is halved next, until none exceeds the deepest centre by more than
+/// The cube with about the largest bound is halved next, until none exceeds the deepest centre by more than
 /// `error`. Where the mesh is open the sign jumps off the surface, so there bounds are of the unsigned
 /// distance.
 ///

@@ -46,7 +46,8 @@ void expect_as_by_brute_force(const Mesh& mesh, double distance, double toleranc
   const Kept kept = kept_by_brute_force(field, distance, tolerance);
   EXPECT_FALSE(kept.sure.empty());
   std::set<Place> found;
-  for (const ContourPoint& p : contour_points(field, distance, {tolerance, Rule::paper}).value()) {
+  const auto points = contour_points(field, distance, {tolerance, Rule::paper}).value();
+  for (const ContourPoint& p : points) {
     const Place place{p.position.x, p.position.y, p.position.z};
     EXPECT_TRUE(found.insert(place).second);
     EXPECT_TRUE(kept.sure.count(place) + kept.unsure.count(place) == 1);
@@ -75,7 +76,8 @@ TEST(PaperRule, LosesASheetAlongTheAxes) {
   for (int i = 0; i < 40 && !lost; ++i) {
     const double depth = 0.1 + 0.001 * i, tolerance = (leaf.hi.x - leaf.lo.x) / 16 * 0.88;
     std::size_t top = 0;
-    for (const ContourPoint& p : contour_points(plate, -depth, {tolerance, Rule::paper}).value())
+    const auto points = contour_points(plate, -depth, {tolerance, Rule::paper}).value();
+    for (const ContourPoint& p : points)
       top += p.position.z < 0.25 && p.position.x > 0.4 && p.position.x < 0.6 && p.position.y > 0.4 &&
              p.position.y < 0.6;
     lost = top == 0;

@@ -80,7 +80,8 @@ class CDFR_API Field {
 
   /// The deepest point inside, to that error in the mesh's unit; 0 takes the longest side / 1000. Errors:
   /// bad_option (not finite, or negative), not_closed (an unsigned field has no inside), cancelled; status().
-  /// O(leaves), then some hundred distances as a rule, and more the more places are about as deep.
+  /// O(leaves), then some hundred distances as a rule; more the more places are about as deep, and where a
+  /// part is thin beside its leaves.
   Result<Deepest> deepest(double error = 0, const Run& run = {}) const;
 
   /// Of a field from a file: an error if something that was read turned out to be damaged, or the file has been cut
