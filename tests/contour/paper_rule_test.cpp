@@ -51,7 +51,8 @@ void expect_as_by_brute_force(const Mesh& mesh, double distance, double toleranc
     const Place place{p.position.x, p.position.y, p.position.z};
     EXPECT_TRUE(found.insert(place).second);
     EXPECT_TRUE(kept.sure.count(place) + kept.unsure.count(place) == 1);
-    const double beyond = std::fabs(field.distance(p.position)) - std::fabs(distance);
+    const double side = distance < 0 ? -1 : 1;
+    const double beyond = side * (field.distance(p.position) - distance);
     EXPECT_EQ(std::isinf(p.error), beyond < 0);
     if (beyond >= 0) {
       EXPECT_NEAR(p.error, beyond, 1e-12);
