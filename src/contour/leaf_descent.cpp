@@ -48,6 +48,8 @@ LeafDescent::Sided LeafDescent::side_in(const Region& region) const noexcept {
 bool LeafDescent::run(const Region& region) {
   const bool is_fine = level_.tolerance < least_tolerance * level_.rounding;
   if (level_.height == 0 || region.list.empty() || is_fine) return false;
+  // The paper's rule takes centres on the other side as well.
+  if (level_.rule == Rule::paper && level_.height < level_.tolerance) return false;
   const Sided sided = side_in(region);
   if (sided == Sided::open && level_.jumps) return false;
   if (sided == Sided::wrong) return true;
