@@ -18,6 +18,7 @@
 #include "store/stored_bytes.h"
 #include "support/meshes.h"
 #include "support/random.h"
+#include "support/sanitized.h"
 
 namespace cdfr {
 namespace {
@@ -82,7 +83,7 @@ TEST_F(BuildFile, IsTheSameFileAsSave) {
 }
 
 TEST_F(BuildFile, GoesOnAfterFiftyKills) {
-  const auto path = mesh_file(test::sphere_mesh(5));
+  const auto path = mesh_file(test::sphere_mesh(test::sanitized ? 4 : 5));
   FileBuildOptions options;
   options.build.max_triangles_per_leaf = 40;
   const std::string whole = expected(path, options);
@@ -101,7 +102,7 @@ TEST_F(BuildFile, GoesOnAfterFiftyKills) {
 
 /// Cancelled between blocks, so that some are there, and then damaged.
 TEST_F(BuildFile, KeepsWholeBlocksAndNoOthers) {
-  const auto path = mesh_file(test::sphere_mesh(5));
+  const auto path = mesh_file(test::sphere_mesh(test::sanitized ? 4 : 5));
   FileBuildOptions options;
   options.build.max_triangles_per_leaf = 40;
   const std::string whole = expected(path, options);
@@ -143,7 +144,7 @@ TEST_F(BuildFile, KeepsWholeBlocksAndNoOthers) {
 }
 
 TEST_F(BuildFile, StartsOverForOtherWork) {
-  const auto path = mesh_file(test::sphere_mesh(5));
+  const auto path = mesh_file(test::sphere_mesh(test::sanitized ? 4 : 5));
   FileBuildOptions options;
   options.build.max_triangles_per_leaf = 40;
   cdfr::Run run;
@@ -159,7 +160,7 @@ TEST_F(BuildFile, StartsOverForOtherWork) {
   EXPECT_EQ(build_file(path, file(), other).value().blocks_kept, 0U);
   EXPECT_TRUE(bytes_of(file()) == expected(path, other));
   interrupted();
-  mesh_file(test::sphere_mesh(4));
+  mesh_file(test::sphere_mesh(3));
   EXPECT_EQ(build_file(path, file(), options).value().blocks_kept, 0U);
   EXPECT_TRUE(bytes_of(file()) == expected(path, options));
 }
