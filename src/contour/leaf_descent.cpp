@@ -18,6 +18,10 @@ constexpr double tile_side = 8;
 constexpr double grown_by = 0.4;
 /// Below so many roundings the general way is as good, and its errors are smaller.
 constexpr double least_tolerance = 1024;
+/// How often a point is moved away from one sheet after another.
+constexpr int most_rounds = 4;
+/// Triangles of a list whose distances at the corners may show that the contour is not in the cube.
+constexpr std::size_t most_tried = 16;
 constexpr std::uint32_t not_asked = no_index;
 
 template <class Ids>
@@ -190,43 +194,110 @@ double LeafDescent::error_of(double move) const noexcept {
   return move > 0 ? 2 * error_ : error_;
 }
 
-void LeafDescent::put(std::size_t i, const Vec3& centre, FrameNumbers numbers) {
+/// The point at the height, on the ray from the foot of `from` through it. Nothing if its triangle has no
+/// area, or the distance tells no direction.
+std::optional<LeafDescent::Moved> LeafDescent::moved(std::size_t i, const Vec3& from) {
   const auto number = static_cast<std::size_t>(feet_.number[i]);
-  const Placed placed{centre, points_.size(), true};
-  if (std::isinf(frames_[number].doubt) || !(feet_.distance[i] > error_)) {
-    failed_.push_back({centre, points_.size(), false});
-    return;
-  }
+  if (std::isinf(frames_[number].doubt) || !(feet_.distance[i] > error_)) return std::nullopt;
   const Vec3 away{feet_.away[0][i], feet_.away[1][i], feet_.away[2][i]};
   const double move = level_.height - feet_.distance[i];
   const auto moved_by = [&](double length) {
-    return Vec3{centre.x + length * away.x, centre.y + length * away.y, centre.z + length * away.z};
+    return Vec3{from.x + length * away.x, from.y + length * away.y, from.z + length * away.z};
   };
-  const Vec3 x = level_.rule == Rule::paper ? centre : moved_by(move);
-  points_.push_back({{middle_.x + x.x, middle_.y + x.y, middle_.z + x.z},
-                     {level_.side * away.x, level_.side * away.y, level_.side * away.z},
-                     base_triangle(number, static_cast<TrianglePlace>(feet_.place[i])),
-                     error_of(move)});
-  if (move <= 0 || level_.rule == Rule::paper) return;
-  const Vec3 beyond = moved_by(move + 1.5 * error_);
-  const double half = region_.size / 2;
-  if (std::max({std::fabs(beyond.x), std::fabs(beyond.y), std::fabs(beyond.z)}) > half) {
+  const Vec3 x = level_.rule == Rule::paper ? from : moved_by(move);
+  return Moved{{{middle_.x + x.x, middle_.y + x.y, middle_.z + x.z},
+                {level_.side * away.x, level_.side * away.y, level_.side * away.z},
+                base_triangle(number, static_cast<TrianglePlace>(feet_.place[i])),
+                error_of(move)},
+               move,
+               moved_by(move + 1.5 * error_)};
+}
+
+bool LeafDescent::in_region(const Vec3& x) const noexcept {
+  return std::max({std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)}) <= region_.size / 2;
+}
+
+void LeafDescent::put(std::size_t i, const Vec3& centre, FrameNumbers numbers) {
+  const std::optional<Moved> moved = this->moved(i, centre);
+  const Placed placed{centre, points_.size(), moved.has_value()};
+  if (!moved) return failed_.push_back(placed);
+  points_.push_back(moved->point);
+  if (moved->by <= 0 || level_.rule == Rule::paper) return;
+  if (!in_region(moved->beyond)) {
     beyond_.push_back(placed);
   } else if (numbers.size() > 1) {
     moved_from_.push_back(placed);
-    moved_.add(beyond);
+    moved_.add(moved->beyond);
   }
+}
+
+/// A point that came too close to another sheet, moved away from that one: near an edge of the contour that
+/// is often a point of it. False if that leads out of what the cube's list and tolerance cover.
+bool LeafDescent::put_again(std::size_t i, const Placed& placed) {
+  const std::optional<Moved> moved = this->moved(i, again_.point(i));
+  if (!moved || !in_region(moved->beyond)) return false;
+  const Vec3 off{moved->beyond.x - placed.centre.x, moved->beyond.y - placed.centre.y,
+                 moved->beyond.z - placed.centre.z};
+  const double reach = (0.5 + grown_by) * final_size_, half = level_.tolerance / 2;
+  if (std::max({std::fabs(off.x), std::fabs(off.y), std::fabs(off.z)}) > reach) return false;
+  if (off.x * off.x + off.y * off.y + off.z * off.z > half * half) return false;
+  points_[placed.point] = moved->point;
+  points_[placed.point].error = 2 * error_;
+  moved_.add(moved->beyond);
+  moved_from_.push_back(placed);
+  return true;
 }
 
 /// The value a hair beyond a point, which has to reach the height by more than its own error, tells that the
 /// contour passes in between.
 void LeafDescent::check_moved(FrameNumbers numbers) {
-  squared_distances(frames_, numbers, moved_, squared_.data());
-  counts_.evaluations += moved_.count;
   const double least = (level_.height + error_) * (1 + 4 * unit_roundoff);
-  for (std::size_t i = 0; i < moved_.count; ++i) {
-    if (!(squared_[i] >= least * least)) failed_.push_back(moved_from_[i]);
+  for (int round = 0; moved_.count > 0; ++round) {
+    squared_distances(frames_, numbers, moved_, squared_.data());
+    counts_.evaluations += moved_.count;
+    again_.count = 0;
+    again_from_.clear();
+    for (std::size_t i = 0; i < moved_.count; ++i) {
+      if (squared_[i] >= least * least) continue;
+      again_.add(moved_.point(i));
+      again_from_.push_back(moved_from_[i]);
+    }
+    moved_.count = 0;
+    moved_from_.clear();
+    if (again_.count == 0) return;
+    if (round < most_rounds) find_feet(frames_, numbers, again_, 0, feet_);
+    for (std::size_t i = 0; i < again_.count; ++i) {
+      Placed& placed = again_from_[i];
+      if (round < most_rounds && put_again(i, placed)) continue;
+      placed.is_excluded = is_below(placed.centre, numbers);
+      failed_.push_back(placed);
+    }
   }
+}
+
+/// True if no point of the cube of final size around that centre is as far from the surface as the height:
+/// distance_above's bound, for triangles of the list.
+bool LeafDescent::is_below(const Vec3& centre, FrameNumbers numbers) {
+  const double half = final_size_ / 2, height = level_.height - error_;
+  octants_.count = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    octants_.add({centre.x + (corner & 1 ? half : -half), centre.y + (corner & 2 ? half : -half),
+                  centre.z + (corner & 4 ? half : -half)});
+  }
+  const std::size_t count = std::min(numbers.size(), most_tried);
+  std::array<std::array<double, 8>, most_tried> at;
+  for (std::size_t k = 0; k < count; ++k) {
+    squared_distances(frames_, numbers.subspan(k, 1), octants_, squared_.data());
+    for (std::size_t corner = 0; corner < 8; ++corner) at[k][corner] = std::sqrt(squared_[corner]);
+    // With itself, then with each of the others, half and half.
+    for (std::size_t other = 0; other <= k; ++other) {
+      double most = 0;
+      for (std::size_t corner = 0; corner < 8; ++corner)
+        most = std::max(most, (at[k][corner] + at[other][corner]) / 2);
+      if (most < height) return true;
+    }
+  }
+  return false;
 }
 
 void LeafDescent::check_beyond_region() {
@@ -266,7 +337,7 @@ void LeafDescent::redo_failed() {
     keep_until(placed.point);
     next = placed.point + (placed.is_there ? 1 : 0);
     const Vec3 c{middle_.x + placed.centre.x, middle_.y + placed.centre.y, middle_.z + placed.centre.z};
-    single_.finish({{c.x - half, c.y - half, c.z - half}, final_size_});
+    if (!placed.is_excluded) single_.finish({{c.x - half, c.y - half, c.z - half}, final_size_});
   }
   keep_until(before.size());
   failed_.clear();

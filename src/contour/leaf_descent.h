@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,6 +47,13 @@ class LeafDescent {
     Vec3 centre;
     std::size_t point;
     bool is_there;
+    bool is_excluded = false;  ///< the contour is not in the cube
+  };
+
+  struct Moved {
+    ContourPoint point;
+    double by;
+    Vec3 beyond;  ///< a hair farther, from the middle
   };
 
   Sided side_in(const Region& region) const noexcept;
@@ -55,8 +63,12 @@ class LeafDescent {
   void keep_passing(double size, FrameNumbers numbers);
   void finish(std::size_t first, FrameNumbers numbers);
   double error_of(double move) const noexcept;
+  std::optional<Moved> moved(std::size_t i, const Vec3& from);
+  bool in_region(const Vec3& x) const noexcept;
   void put(std::size_t i, const Vec3& centre, FrameNumbers numbers);
+  bool put_again(std::size_t i, const Placed& placed);
   void check_moved(FrameNumbers numbers);
+  bool is_below(const Vec3& centre, FrameNumbers numbers);
   void check_beyond_region();
   void redo_failed();
   Sided side_of(const Cube& cube, double distance) noexcept;
@@ -91,8 +103,8 @@ class LeafDescent {
   RegionPoints centres_, octants_;
   alignas(64) std::array<double, RegionPoints::most> squared_;
   Feet feet_;
-  RegionPoints moved_;  ///< a hair beyond the points of
-  std::vector<Placed> moved_from_;
+  RegionPoints moved_, again_;  ///< a hair beyond the points of
+  std::vector<Placed> moved_from_, again_from_;
 };
 
 }  // namespace cdfr
