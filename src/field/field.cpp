@@ -12,10 +12,11 @@
 #include "field/batch.h"
 #include "field/batch_order.h"
 #include "field/build_field.h"
+#include "field/cut_field.h"
+#include "field/deepest.h"
 #include "field/field_data.h"
 #include "field/grid_query.h"
 #include "field/leaves.h"
-#include "field/deepest.h"
 #include "field/query.h"
 #include "field/stats.h"
 #include "geometry/box_distance.h"
@@ -106,6 +107,14 @@ Result<void> Field::distance(const Grid& grid, std::span<double> out, const Run&
 
 Result<void> Field::closest(Points x, std::span<Closest> out, const Run& run) const {
   return answer_all(*data_, x, out, run);
+}
+
+Result<Field> Field::at_level(int level) const {
+  if (level < 0 || level > deepest_level) return Error{Code::bad_option, 0, "level must be 0 to 18"};
+  const FloatingEnvironment environment;
+  FieldData cut = cut_field(*data_, level);
+  if (data_->failed()) return data_->status().error();
+  return Field(std::make_shared<const FieldData>(std::move(cut)));
 }
 
 Result<Deepest> Field::deepest(double error, const Run& run) const {

@@ -65,6 +65,8 @@ Input open_input(const std::filesystem::path& path, const Settings& settings, De
   const auto start = std::chrono::steady_clock::now();
   Input input = is_saved_field(path) ? load_field(path, settings) : build_mesh(path, settings, demand);
   if (demand == Demand::inside && input.field.sign() == Sign::none) stop_failed(path, no_inside);
+  if (settings.level_option != nullptr && settings.level_option->count() > 0)
+    input.field = need(input.field.at_level(settings.level), path);
   note_sign(input.field, settings);
   input.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return input;

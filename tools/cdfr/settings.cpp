@@ -102,6 +102,9 @@ void add_field_options(CLI::App& verb, Settings& settings) {
   add_report_options(verb, settings);
   add_threads_option(verb, settings);
   add_unit_option(verb, settings);
+  settings.level_option =
+      add_count(verb, "--level", settings.level, 0, deepest_level,
+                "Cut the octree at this level first: the same answers from fewer, longer leaves");
   add_build_options(verb, settings);
 }
 

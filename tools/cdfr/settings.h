@@ -17,6 +17,8 @@ struct Settings {
   std::string unit;
   BuildOptions build;
   bool flip = false;
+  int level = 0;  ///< to cut the octree at, if level_option was given
+  const CLI::Option* level_option = nullptr;
   std::vector<const CLI::Option*> build_options;  ///< for telling which were given
 
   /// Name of a build option that was given, or empty.

@@ -78,6 +78,11 @@ class CDFR_API Field {
   Result<void> distance(const Grid& grid, std::span<double> out, const Run& run = {}) const;
   Result<void> closest(Points x, std::span<Closest> out, const Run& run = {}) const;
 
+  /// The same field with its octree cut at a level, 0 to 18, for pictures and sweeps without a rebuild: deeper
+  /// leaves make one of their cell, with all of their triangles, so lists stay complete and answers the same.
+  /// Shares all but the octree. Errors: bad_option; status(). O(leaves and their lists).
+  Result<Field> at_level(int level) const;
+
   /// The deepest point inside, to that error in the mesh's unit; 0 takes the longest side / 1000. Errors:
   /// bad_option (not finite, or negative), not_closed (an unsigned field has no inside), cancelled; status().
   /// O(leaves), then some hundred distances as a rule; more the more places are about as deep, and where a
