@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contour/qef.h"
+#include "contour/face_bend.h"
 #include "core/parallel.h"
 #include "core/vector.h"
 #include "field/query.h"
@@ -15,26 +15,6 @@ namespace {
 
 constexpr std::size_t faces_a_task = 256;
 constexpr std::size_t leaves_a_task = 128;
-/// Of the tolerance: a corner that stands out by less is not worth a vertex.
-constexpr double visible_share = 1.0 / 64;
-/// A corner of the contour has its distance but for rounding and curvature; on a round part the point where
-/// tangents meet is off by half of what it stands out by.
-constexpr double sharp_share = 1.0 / 4;
-/// Of the tolerance: a distance that is right but for rounding and curvature.
-constexpr double good_share = 1.0 / 256;
-/// Spread of normals, as a share of the number of planes, from which a direction counts: 0.03 and 0.2 radians
-/// about.
-constexpr double small_spread = 1e-3, clear_spread = 4e-2;
-
-Eigen::Vector3d clamped(const Eigen::Vector3d& x, const Eigen::Vector3d& lo, double size) noexcept {
-  const double hair = size * hair_share;
-  return x.cwiseMax(lo.array().matrix() + Eigen::Vector3d::Constant(hair))
-      .cwiseMin(lo + Eigen::Vector3d::Constant(size - hair));
-}
-
-bool is_inside(const Eigen::Vector3d& x, const Eigen::Vector3d& lo, double size) noexcept {
-  return clamped(x, lo, size) == x;
-}
 
 }  // namespace
 
@@ -43,41 +23,15 @@ bool CellFans::place(Progress& progress) { return place_bends(progress) && place
 void CellFans::add(const std::vector<Tally>& tallies) {
   for (const Tally& tally : tallies) {
     loose_.insert(loose_.end(), tally.loose.begin(), tally.loose.end());
-    largest_error_ = std::max(largest_error_, tally.largest_error);
-    evaluations_ += tally.evaluations;
+    largest_error_ = std::max(largest_error_, tally.measured.largest_error);
+    evaluations_ += tally.measured.evaluations;
   }
 }
 
-/// Where the tangents at a piece's ends, in the plane of the face, meet.
-CellFans::Bend CellFans::bend_of(const CurvePiece& piece, const MinimalFace& face, Tally& tally) const {
-  const SurfaceLeaf& owner = leaves_.leaves()[face.of_above ? face.above : face.below];
-  const SurfaceCell& cell = leaves_.octree().cell(owner.cell);
+PlainCube CellFans::cube_of(std::uint32_t leaf) const {
+  const SurfaceCell& cell = leaves_.octree().cell(leaves_.leaves()[leaf].cell);
   const SurfaceLattice& lattice = leaves_.octree().lattice();
-  const double size = lattice.size(cell.level);
-  const Eigen::Vector3d lo = to_eigen(lattice.corner(cell.lo));
-  const Eigen::Index b = (face.axis + 1) % 3, c = (face.axis + 2) % 3;
-  const Crossing &from = crossings_[piece.from], &to = crossings_[piece.to];
-  const Eigen::Vector3d p = to_eigen(from.position), q = to_eigen(to.position);
-  const Eigen::Vector3d m = to_eigen(from.gradient), n = to_eigen(to.gradient);
-  const double determinant = m[b] * n[c] - m[c] * n[b];
-  if (!(std::fabs(determinant) > 1e-6)) return {};
-  // m.(x - p) = -excess there, n.(x - p) = n.(q - p) - excess here.
-  const double at_p = -from.excess, at_q = n[b] * (q[b] - p[b]) + n[c] * (q[c] - p[c]) - to.excess;
-  Eigen::Vector3d x = p;
-  x[b] = p[b] + (at_p * n[c] - m[c] * at_q) / determinant;
-  x[c] = p[c] + (m[b] * at_q - at_p * n[b]) / determinant;
-  const double hair = size * hair_share;
-  if (!(x[b] > lo[b] + hair && x[b] < lo[b] + size - hair && x[c] > lo[c] + hair &&
-        x[c] < lo[c] + size - hair))
-    return {};
-  const double chord = (q - p).norm();
-  const double out = std::fabs((x[b] - p[b]) * (q[c] - p[c]) - (x[c] - p[c]) * (q[b] - p[b]));
-  if (!(out > visible_share * sought_.tolerance * chord)) return {};
-  ++tally.evaluations;
-  const double excess = std::fabs(signed_distance(sought_.field, from_eigen(x)) - sought_.distance);
-  if (!(excess * chord <= sharp_share * out) || excess > sought_.tolerance / 2) return {};
-  tally.largest_error = std::max(tally.largest_error, excess);
-  return {from_eigen(x), true};
+  return {to_eigen(lattice.corner(cell.lo)), lattice.size(cell.level)};
 }
 
 bool CellFans::place_bends(Progress& progress) {
@@ -91,7 +45,10 @@ bool CellFans::place_bends(Progress& progress) {
       if (face.pieces != 1 || many_loops(face.below) || many_loops(face.above)) continue;
       // The cell below has the face's only piece.
       for (const CurvePiece& piece : conforming_.curves().pieces(face.below)) {
-        if (piece.face == i) bends_[i] = bend_of(piece, face, tallies[first / faces_a_task]);
+        if (piece.face != i) continue;
+        bends_[i] =
+            face_bend(sought_, cube_of(face.of_above ? face.above : face.below), face.axis,
+                      crossings_[piece.from], crossings_[piece.to], tallies[first / faces_a_task].measured);
       }
     }
   });
@@ -99,54 +56,27 @@ bool CellFans::place_bends(Progress& progress) {
   return !progress.cancelled();
 }
 
-Vec3 CellFans::apex_of(std::uint32_t number, CurveLoop loop, Tally& tally) const {
-  const SurfaceCell& cell = leaves_.octree().cell(leaves_.leaves()[number].cell);
-  const SurfaceLattice& lattice = leaves_.octree().lattice();
-  const double size = lattice.size(cell.level);
-  const Eigen::Vector3d lo = to_eigen(lattice.corner(cell.lo));
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
-  double points = 0;
-  for (const CurvePiece& piece : loop) {
-    mean += to_eigen(crossings_[piece.from].position) - lo;
-    normal += to_eigen(crossings_[piece.from].gradient);
-    points += 1;
-    if (!bends_[piece.face].is_there) continue;
-    mean += to_eigen(bends_[piece.face].position) - lo;
-    points += 1;
+/// The mean of a loop takes its lines by their length: finer neighbours do not draw it to them.
+Vec3 CellFans::apex_of(std::uint32_t leaf, CurveLoop loop, Tally& tally) const {
+  const PlainCube cube = cube_of(leaf);
+  std::vector<WeightedCrossing>& crossings = tally.crossings;
+  crossings.clear();
+  for (const CurvePiece& piece : loop) crossings.push_back({&crossings_[piece.from], 0});
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double total = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    WeightedCrossing &from = crossings[i], &to = crossings[i + 1 == loop.size() ? 0 : i + 1];
+    const Eigen::Vector3d p = to_eigen(from.crossing->position), q = to_eigen(to.crossing->position);
+    const std::optional<Vec3>& bend = bends_[loop[i].face];
+    const Eigen::Vector3d middle = bend ? to_eigen(*bend) : Eigen::Vector3d((p + q) / 2);
+    const double before = (middle - p).norm(), after = (q - middle).norm();
+    sum += before * ((p + middle) / 2 - cube.lo) + after * ((middle + q) / 2 - cube.lo);
+    total += before + after;
+    from.weight += before;
+    to.weight += after;
   }
-  mean = lo + mean / points;
-  if (many_loops(number)) return from_eigen(clamped(mean, lo, size));
-  PlaneMeeting meeting;
-  double height = 0;
-  for (const CurvePiece& piece : loop) {
-    const Crossing& crossing = crossings_[piece.from];
-    const Eigen::Vector3d gradient = to_eigen(crossing.gradient);
-    const double offset = gradient.dot(to_eigen(crossing.position) - mean) - crossing.excess;
-    meeting.add(gradient, offset);
-    height += offset;
-  }
-  const double length = normal.norm();
-  const Eigen::Vector3d smooth = length > 0.1 * static_cast<double>(loop.size())
-                                     ? Eigen::Vector3d(mean + normal * (height / (length * length)))
-                                     : mean;
-  const Eigen::Vector3d round = clamped(smooth, lo, size);
-  const auto excess_at = [&](const Eigen::Vector3d& x) {
-    ++tally.evaluations;
-    return std::fabs(signed_distance(sought_.field, from_eigen(x)) - sought_.distance);
-  };
-  double at_round = -1;
-  for (const double spread : {small_spread, clear_spread}) {
-    int rank = 0;
-    const Eigen::Vector3d sharp = mean + meeting.point(spread, rank);
-    if (rank < 2 || (sharp - round).norm() <= visible_share * sought_.tolerance) break;
-    if (!is_inside(sharp, lo, size)) continue;
-    if (at_round < 0) at_round = excess_at(round);
-    const double at_sharp = excess_at(sharp);
-    if (at_sharp > std::max(at_round, good_share * sought_.tolerance)) continue;
-    tally.largest_error = std::max(tally.largest_error, at_sharp);
-    return from_eigen(sharp);
-  }
-  return from_eigen(round);
+  const Eigen::Vector3d mean = cube.held(cube.lo + sum / total);
+  return from_eigen(many_loops(leaf) ? mean : cell_apex(sought_, cube, mean, crossings, tally.measured));
 }
 
 bool CellFans::place_apexes(Progress& progress) {
@@ -185,21 +115,21 @@ void CellFans::check(std::uint32_t leaf, Tally& tally) const {
   double largest = 0;
   const auto measure_centroid = [&](const Vec3& p, const Vec3& q) {
     const Eigen::Vector3d centroid = (apex + to_eigen(p) + to_eigen(q)) / 3;
-    ++tally.evaluations;
+    ++tally.measured.evaluations;
     largest =
         std::max(largest, std::fabs(signed_distance(sought_.field, from_eigen(centroid)) - sought_.distance));
   };
   for (const CurvePiece& piece : conforming_.curves().pieces(leaf)) {
     const Vec3 from = crossings_[piece.from].position, to = crossings_[piece.to].position;
-    const Bend& bend = bends_[piece.face];
-    if (bend.is_there) {
-      measure_centroid(from, bend.position);
-      measure_centroid(bend.position, to);
+    const std::optional<Vec3>& bend = bends_[piece.face];
+    if (bend) {
+      measure_centroid(from, *bend);
+      measure_centroid(*bend, to);
     } else {
       measure_centroid(from, to);
     }
   }
-  tally.largest_error = std::max(tally.largest_error, largest);
+  tally.measured.largest_error = std::max(tally.measured.largest_error, largest);
   if (largest > sought_.tolerance) tally.loose.push_back(leaf);
 }
 
@@ -223,9 +153,9 @@ Mesh CellFans::mesh() const {
            conforming_.curves().pieces(leaf).subspan(starts[k], starts[k + 1] - starts[k])) {
         const std::uint32_t from = vertex(crossing_vertex[piece.from], crossings_[piece.from].position);
         const std::uint32_t to = vertex(crossing_vertex[piece.to], crossings_[piece.to].position);
-        const Bend& bend = bends_[piece.face];
-        if (bend.is_there) {
-          const std::uint32_t middle = vertex(bend_vertex[piece.face], bend.position);
+        const std::optional<Vec3>& bend = bends_[piece.face];
+        if (bend) {
+          const std::uint32_t middle = vertex(bend_vertex[piece.face], *bend);
           mesh.triangles.push_back({apex, from, middle});
           mesh.triangles.push_back({apex, middle, to});
         } else {

@@ -16,9 +16,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "cdfr/contour/mesh.h"
+#include "contour/cell_apex.h"
 #include "contour/conforming.h"
 
 namespace cdfr {
@@ -39,18 +41,14 @@ class CellFans {
   Mesh mesh() const;
 
  private:
-  struct Bend {
-    Vec3 position;
-    bool is_there = false;
-  };
   struct Tally {
     std::vector<std::uint32_t> loose;
-    double largest_error = 0;
-    std::uint64_t evaluations = 0;
+    SurfaceTally measured;
+    std::vector<WeightedCrossing> crossings;  ///< of the loop at hand
   };
 
   bool many_loops(std::uint32_t leaf) const noexcept { return conforming_.loops(leaf).size() > 2; }
-  Bend bend_of(const CurvePiece& piece, const MinimalFace& face, Tally& tally) const;
+  PlainCube cube_of(std::uint32_t leaf) const;
   Vec3 apex_of(std::uint32_t leaf, CurveLoop loop, Tally& tally) const;
   void check(std::uint32_t leaf, Tally& tally) const;
   bool place_bends(Progress& progress);
@@ -61,9 +59,9 @@ class CellFans {
   const SurfaceLeaves& leaves_;
   const Crossings& crossings_;
   const Conforming& conforming_;
-  std::vector<Bend> bends_;                ///< by minimal face
-  std::vector<Vec3> apexes_;               ///< by loop
-  std::vector<std::uint32_t> first_apex_;  ///< by leaf
+  std::vector<std::optional<Vec3>> bends_;  ///< by minimal face
+  std::vector<Vec3> apexes_;                ///< by loop
+  std::vector<std::uint32_t> first_apex_;   ///< by leaf
   std::vector<std::uint32_t> loose_;
   double largest_error_ = 0;
   std::uint64_t evaluations_ = 0;

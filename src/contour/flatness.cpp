@@ -96,6 +96,16 @@ Flatness flatness(const FieldData& field, const Eigen::Vector3d& centre, double 
   return flat;
 }
 
+bool is_sheet(const FieldData& field, const Eigen::Vector3d& centre, double size, const Slack& slack,
+              const TangentPlane& plane, const std::vector<NearTriangle>& near) {
+  const TangentPlane turned{-plane.value, -plane.gradient};
+  for (const NearTriangle& t : near) {
+    if (!explains(field, centre, plane, t, size, slack.below)) return false;
+    if (!explains(field, centre, turned, t, size, slack.below)) return false;
+  }
+  return covers(field, centre, size, plane.gradient, plane.value, slack.above, near);
+}
+
 Flatness distance_bounds(const FieldData& field, const Eigen::Vector3d& centre, double size,
                          const std::vector<NearTriangle>& near) {
   Flatness bounds;

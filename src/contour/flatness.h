@@ -54,6 +54,17 @@ struct Flatness {
 Flatness flatness(const FieldData& field, const Eigen::Vector3d& centre, double size, const Slack& slack,
                   const std::vector<NearTriangle>& near);
 
+/// The same where the surface enters the cell: is the signed distance within the slack of the linear function
+/// that has `plane.value` and `plane.gradient` at the centre, those of the signed distance there?
+///
+/// Let s be that function; then the surface has to be one sheet about the plane s = 0. From above, the sheet
+/// covers the cell's silhouette within eps of the plane, so d <= |s| + eps. From below each T has d_T >= s -
+/// eps and d_T >= -s - eps: by its tangent, or because it lies below the plane, or above it, but for eps;
+/// triangles of the sheet do both. So no surface is where |s| > eps, the sign is one on either side, and two
+/// sheets of opposite sides closer than eps do not count as a cover.
+bool is_sheet(const FieldData& field, const Eigen::Vector3d& centre, double size, const Slack& slack,
+              const TangentPlane& plane, const std::vector<NearTriangle>& near);
+
 /// Bounds alone: `least` by tangents, `most` by the largest value at corners of one triangle, or of the mean
 /// of two.
 Flatness distance_bounds(const FieldData& field, const Eigen::Vector3d& centre, double size,

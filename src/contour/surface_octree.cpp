@@ -59,15 +59,37 @@ void SurfaceOctree::add_children(std::uint32_t parent) {
   }
 }
 
-bool SurfaceOctree::near(const SurfaceCell& cell, std::vector<NearTriangle>& near) const {
+bool SurfaceOctree::find_near(const SurfaceCell& cell, const Eigen::Vector3d& centre, double distance,
+                              std::vector<NearTriangle>& near) const {
   const double size = lattice_.size(cell.level);
-  const Eigen::Vector3d centre = to_eigen(lattice_.centre(cell.lo, cell.level));
-  if (cell.list != SurfaceCell::no_list) {
-    return near_triangles(sought_.field, centre, size,
-                          std::span<const std::uint32_t>(lists_).subspan(cell.list, cell.list_size), near);
+  const bool found =
+      cell.list != SurfaceCell::no_list
+          ? near_triangles(sought_.field, centre, size,
+                           std::span<const std::uint32_t>(lists_).subspan(cell.list, cell.list_size), near)
+          : near_triangles(sought_.field, centre, size, distance, near);
+  return found && !near.empty();
+}
+
+bool SurfaceOctree::near(const SurfaceCell& cell, std::vector<NearTriangle>& near) const {
+  const Vec3 centre = lattice_.centre(cell.lo, cell.level);
+  const double distance = cell.list == SurfaceCell::no_list ? unsigned_distance(sought_.field, centre) : 0;
+  return find_near(cell, to_eigen(centre), distance, near);
+}
+
+/// A cell that the surface enters: coarse if it is one flat sheet there.
+void SurfaceOctree::judge_sheet(const Vec3& centre, double size, const std::vector<NearTriangle>& near,
+                                Outcome& outcome) const {
+  if (sought_.field.sign == Sign::none) return;
+  const Closest closest = closest_point(sought_.field, centre, Finder::tree);
+  const TangentPlane plane{closest.distance, to_eigen(closest.gradient)};
+  if (!is_sheet(sought_.field, to_eigen(centre), size, sought_.slack, plane, near)) return;
+  outcome.split = false;
+  const double reach = plane.gradient.lpNorm<1>() * (size / 2) + sought_.slack.above + sought_.rounding;
+  if (std::fabs(closest.distance - sought_.distance) > reach) {
+    outcome.state = CellState::empty;
+  } else {
+    outcome.planes = 1;
   }
-  const double distance = unsigned_distance(sought_.field, from_eigen(centre));
-  return near_triangles(sought_.field, centre, size, distance, near);
 }
 
 void SurfaceOctree::judge(const SurfaceCell& cell, std::vector<NearTriangle>& near, Outcome& outcome) const {
@@ -84,18 +106,16 @@ void SurfaceOctree::judge(const SurfaceCell& cell, std::vector<NearTriangle>& ne
   outcome.surface_enters = distance <= radius;
   if (cell.level >= lattice_.finest()) return;
   outcome.split = true;
-  if (outcome.surface_enters) return;
   const Eigen::Vector3d centre = to_eigen(c);
-  const bool found =
-      cell.list != SurfaceCell::no_list
-          ? near_triangles(sought_.field, centre, size,
-                           std::span<const std::uint32_t>(lists_).subspan(cell.list, cell.list_size), near)
-          : near_triangles(sought_.field, centre, size, distance, near);
-  if (!found || near.empty()) {
+  if (!find_near(cell, centre, distance, near)) {
     near.clear();
     return;
   }
   outcome.has_list = true;
+  if (outcome.surface_enters) {
+    judge_sheet(c, size, near, outcome);
+    return;
+  }
   const Flatness flat = flatness(sought_.field, centre, size, sought_.slack, near);
   if (flat.planes == 0) return;
   const double height = sought_.height();

@@ -57,6 +57,10 @@ class SurfaceOctree {
  private:
   struct Outcome;
   void add_children(std::uint32_t parent);
+  bool find_near(const SurfaceCell& cell, const Eigen::Vector3d& centre, double distance,
+                 std::vector<NearTriangle>& near) const;
+  void judge_sheet(const Vec3& centre, double size, const std::vector<NearTriangle>& near,
+                   Outcome& outcome) const;
   void judge(const SurfaceCell& cell, std::vector<NearTriangle>& near, Outcome& outcome) const;
   std::vector<std::uint32_t> settle(std::vector<std::uint32_t> frontier, Progress& progress);
 
