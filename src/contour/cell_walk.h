@@ -14,23 +14,18 @@
 
 namespace cdfr {
 
-/// Meets only faces and edges all of whose leaves are active: others have one sign throughout.
+/// Meets only faces and edges all of whose leaves are active, for others have one sign throughout, and one of
+/// whose leaves is looked for.
 ///  - edge(axis, leaves): four cells by u + 2 w, the place of each around the edge, u = axis + 1, w = axis +
 ///  2 (mod 3);
 ///    one that the edge passes in the middle of a face comes twice.
 ///  - face(axis, below, above): the two cells.
-template <class Edge, class Face>
+///  - sought(cell): may the cell be one that is looked for, or hold one?
+template <class Sought, class Edge, class Face>
 class CellWalk {
  public:
-  CellWalk(const std::vector<SurfaceCell>& cells, Edge edge, Face face)
-      : cells_(cells), edge_(edge), face_(face) {
-    busy_.resize(cells.size());
-    for (std::size_t i = cells.size(); i-- > 0;) {
-      busy_[i] = cells[i].state == CellState::active;
-      for (std::uint32_t k = 0; k < 8 && cells[i].state == CellState::inner; ++k)
-        busy_[i] = busy_[i] | busy_[cells[i].first_child + k];
-    }
-  }
+  CellWalk(const std::vector<SurfaceCell>& cells, Sought sought, Edge edge, Face face)
+      : cells_(cells), sought_(sought), edge_(edge), face_(face) {}
 
   void run() { in_cell(0); }
 
@@ -38,12 +33,13 @@ class CellWalk {
   using Four = std::array<std::uint32_t, 4>;
 
   bool inner(std::uint32_t cell) const { return cells_[cell].state == CellState::inner; }
+  bool busy(std::uint32_t cell) const { return cells_[cell].busy; }
   std::uint32_t part(std::uint32_t cell, std::uint32_t child) const {
     return inner(cell) ? cells_[cell].first_child + child : cell;
   }
 
   void in_cell(std::uint32_t cell) {
-    if (!busy_[cell] || !inner(cell)) return;
+    if (!busy(cell) || !inner(cell) || !sought_(cell)) return;
     const std::uint32_t first = cells_[cell].first_child;
     for (std::uint32_t child = 0; child < 8; ++child) in_cell(first + child);
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -55,7 +51,7 @@ class CellWalk {
   }
 
   void on_face(unsigned axis, std::uint32_t below, std::uint32_t above) {
-    if (!busy_[below] || !busy_[above]) return;
+    if (!busy(below) || !busy(above) || !(sought_(below) || sought_(above))) return;
     if (!inner(below) && !inner(above)) {
       face_(axis, below, above);
       return;
@@ -70,11 +66,13 @@ class CellWalk {
   }
 
   void on_edge(unsigned axis, const Four& around) {
-    bool divided = false;
+    bool divided = false, sought = false;
     for (const std::uint32_t cell : around) {
-      if (!busy_[cell]) return;
+      if (!busy(cell)) return;
       divided = divided || inner(cell);
+      sought = sought || sought_(cell);
     }
+    if (!sought) return;
     if (!divided) {
       edge_(axis, around);
       return;
@@ -87,7 +85,7 @@ class CellWalk {
   }
 
   const std::vector<SurfaceCell>& cells_;
-  std::vector<unsigned char> busy_;
+  Sought sought_;
   Edge edge_;
   Face face_;
 };

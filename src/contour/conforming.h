@@ -29,17 +29,23 @@ class Conforming {
   }
 
  private:
-  void walk();
+  /// Over all faces and edges, or those of the new leaves, numbered from `first_new` on.
+  void walk(std::uint32_t first_new);
   void cross(unsigned axis, const std::array<std::uint32_t, 4>& around);
+  void set_side(std::uint32_t leaf, int side, std::uint32_t crossing);
+  void check_face(const MinimalFace& face);
   void mark(std::uint32_t leaf);
-  void mark_crowded_faces();
+  bool split_marked(Progress& progress);
   bool close_loops(Progress& progress);
 
   SurfaceLeaves& leaves_;
   Crossings& crossings_;
   CellCurves curves_;
   std::vector<MinimalFace> faces_;
-  std::vector<unsigned char> marked_;
+  std::vector<unsigned char> marked_;    ///< by leaf
+  std::vector<std::uint32_t> to_split_;  ///< those that are
+  std::vector<std::uint32_t> seen_;      ///< by cell: the walk whose new leaves it is above
+  std::uint32_t walks_ = 0;
   std::vector<std::uint32_t> first_start_, starts_;
 };
 

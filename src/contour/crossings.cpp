@@ -32,6 +32,12 @@ std::uint32_t Crossings::number(int axis, std::uint32_t low, std::uint32_t high)
   return number;
 }
 
+bool Crossings::lies_in(std::uint32_t part, std::uint32_t whole) const noexcept {
+  const Edge &small = edges_[part], &large = edges_[whole];
+  const auto at = [&](std::uint32_t corner) { return coordinate(corners_.position(corner), small.axis); };
+  return small.axis == large.axis && at(small.low) >= at(large.low) && at(small.high) <= at(large.high);
+}
+
 /// Rounding may not bring it to an end: the hair is above 2^-20 of 2^22 doubles (fits()).
 Vec3 Crossings::place(const Edge& edge, double share) const noexcept {
   Vec3 position = corners_.position(edge.low);

@@ -26,6 +26,8 @@ class Crossings {
 
   /// Of the edge along `axis` between two corners, of which the set holds one. The number stays the edge's.
   std::uint32_t number(int axis, std::uint32_t low, std::uint32_t high);
+  /// Is the edge of the first one a part of that of the second, on one line?
+  bool lies_in(std::uint32_t part, std::uint32_t whole) const noexcept;
   /// Finds those that are new: by the line through the values at the ends, then by tangents and halving.
   /// False if cancelled.
   bool solve(Progress& progress);

@@ -68,7 +68,10 @@ bool SurfaceLeaves::settle(std::vector<std::uint32_t> cells, Progress& progress)
       SurfaceLeaf& leaf = leaves_[first_leaf + i];
       leaf.undecided = verdicts[i] == Verdict::undecided;
       leaf.live = verdicts[i] == Verdict::keep || leaf.undecided;
-      if (verdicts[i] == Verdict::empty) octree_.cell(leaf.cell).state = CellState::empty;
+      if (verdicts[i] == Verdict::empty) {
+        octree_.cell(leaf.cell).state = CellState::empty;
+        octree_.cell(leaf.cell).busy = false;
+      }
       if (verdicts[i] == Verdict::split) again.push_back(leaf.cell);
     }
     cells = octree_.split(again, progress);

@@ -53,6 +53,7 @@ void SurfaceOctree::add_children(std::uint32_t parent) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       cell.lo[axis] = above.lo[axis] + (child >> axis & 1U) * width;
     cell.level = static_cast<std::uint8_t>(above.level + 1);
+    cell.parent = parent;
     cell.list = above.list;
     cell.list_size = above.list_size;
     cells_.push_back(cell);
@@ -178,6 +179,8 @@ std::vector<std::uint32_t> SurfaceOctree::settle(std::vector<std::uint32_t> fron
           next.push_back(cells_[frontier[i]].first_child + child);
       } else if (outcome.state == CellState::active) {
         active.push_back(frontier[i]);
+        for (std::uint32_t up = frontier[i]; up != no_index && !cells_[up].busy; up = cells_[up].parent)
+          cells_[up].busy = true;
       }
     }
     frontier = std::move(next);

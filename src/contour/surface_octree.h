@@ -29,6 +29,8 @@ struct SurfaceCell {
   CellState state = CellState::fresh;
   std::uint8_t planes = 0;  ///< of flatness.h; 0 where it was not tried or failed
   bool surface_enters = false;
+  bool busy = false;  ///< an active leaf, or inner and was made above one
+  std::uint32_t parent = no_index;
   std::uint32_t first_child = 0;  ///< of an inner cell, in child order
   std::uint32_t leaf = no_index;  ///< of an active cell: its number there
   /// Triangles that may win in the cell: slots in `lists`, or no_list where none was made.
