@@ -17,13 +17,21 @@ constexpr double good_share = 1.0 / 256;
 /// about.
 constexpr double small_spread = 1e-3, clear_spread = 4e-2;
 
+/// Of the tolerance: what a corner stands out by along the mean normal, to be looked for.
+constexpr double visible_share = 1.0 / 16;
+
+/// Mean of the cosines of the gradients with their mean.
+constexpr double gentle_cosine = 0.95;
+
 struct Tangents {
   PlaneMeeting meeting;
+  Eigen::Vector3d normal;  ///< sum of the gradients by weight; shorter the more they spread
+  double weight = 0;
   Eigen::Vector3d round;  ///< mean, moved along the mean normal
 };
 
 Tangents tangents_about(const Eigen::Vector3d& mean, std::span<const WeightedCrossing> crossings) {
-  Tangents tangents{{}, mean};
+  Tangents tangents{{}, {}, 0, mean};
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double height = 0, weight = 0;
   for (const WeightedCrossing& at : crossings) {
@@ -35,7 +43,9 @@ Tangents tangents_about(const Eigen::Vector3d& mean, std::span<const WeightedCro
     weight += at.weight;
   }
   const double square = normal.squaredNorm();
-  if (square > 0.01 * weight * weight) tangents.round = mean + normal * (height * weight / square);
+  tangents.normal = normal;
+  tangents.weight = weight;
+  if (square > 0.01 * weight * weight) tangents.round = mean + normal * (height / square);
   return tangents;
 }
 
@@ -74,6 +84,11 @@ Eigen::Vector3d cell_apex(const Sought& sought, const PlainCube& cube, const Eig
   const Eigen::Vector3d sharp = mean + tangents.meeting.point(small_spread, rank);
   const Eigen::Vector3d round = cube.held(tangents.round);
   if (rank < 2) return round;
+  // On a gently round piece both are as good.
+  const double length = tangents.normal.norm();
+  if (length > gentle_cosine * tangents.weight &&
+      std::fabs(tangents.normal.dot(sharp - round)) <= visible_share * sought.tolerance * length)
+    return round;
   Choice choice(sought, tally);
   if (cube.has(sharp) && choice.offer(sharp)) return choice.best();
   const Eigen::Vector3d clear = mean + tangents.meeting.point(clear_spread, rank);

