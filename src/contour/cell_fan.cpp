@@ -8,7 +8,7 @@
 #include "contour/face_bend.h"
 #include "core/parallel.h"
 #include "core/vector.h"
-#include "field/query.h"
+#include "field/batch.h"
 
 namespace cdfr {
 namespace {
@@ -105,38 +105,53 @@ bool CellFans::place_apexes(Progress& progress) {
         apexes_[first_apex_[i] + k] = apex_of(leaf, loop, tally);
       }
       if (!starts.empty() && leaves_.level(leaves_.leaves()[i]) < leaves_.octree().lattice().finest())
-        check(leaf, tally);
+        add_checks(leaf, tally);
     }
+    check(tally, progress);
   });
   add(tallies);
   return !progress.cancelled();
 }
 
-/// At centroids; where several planes meet in the cell also at the middles of edges, for there a missed bend
-/// shows.
-void CellFans::check(std::uint32_t leaf, Tally& tally) const {
-  const bool bends = leaves_.octree().cell(leaves_.leaves()[leaf].cell).planes != 1;
+/// In a cell of one plane the apex tells: the other vertices are on the contour, and what is between them is
+/// within the slack of the plane. Where planes meet a missed bend shows at centroids and at the middles of
+/// pieces that join different planes.
+void CellFans::add_checks(std::uint32_t leaf, Tally& tally) const {
+  const auto add = [&](const Eigen::Vector3d& x) {
+    tally.checked.push_back(from_eigen(x));
+    tally.checked_leaf.push_back(leaf);
+  };
   const Eigen::Vector3d apex = to_eigen(apexes_[first_apex_[leaf]]);
-  double largest = 0;
-  const auto measure_at = [&](const Eigen::Vector3d& x) {
-    ++tally.measured.evaluations;
-    largest = std::max(largest, std::fabs(signed_distance(sought_.field, from_eigen(x)) - sought_.distance));
-  };
-  const auto measure_triangle = [&](const Vec3& from, const Vec3& to) {
-    const Eigen::Vector3d p = to_eigen(from), q = to_eigen(to);
-    measure_at((apex + p + q) / 3);
-    if (!bends) return;
-    measure_at((p + q) / 2);
-    measure_at((p + apex) / 2);
-  };
-  for (const CurvePiece& piece : conforming_.curves().pieces(leaf)) {
-    const Vec3 from = crossings_[piece.from].position, to = crossings_[piece.to].position;
-    const std::optional<Vec3>& bend = bends_[piece.face];
-    measure_triangle(from, bend ? *bend : to);
-    if (bend) measure_triangle(*bend, to);
+  if (leaves_.octree().cell(leaves_.leaves()[leaf].cell).planes == 1) {
+    add(apex);
+    return;
   }
-  tally.measured.largest_error = std::max(tally.measured.largest_error, largest);
-  if (largest > check_share * sought_.tolerance) tally.loose.push_back(leaf);
+  for (const CurvePiece& piece : conforming_.curves().pieces(leaf)) {
+    const Crossing &from = crossings_[piece.from], &to = crossings_[piece.to];
+    const Eigen::Vector3d p = to_eigen(from.position), q = to_eigen(to.position);
+    const std::optional<Vec3>& bend = bends_[piece.face];
+    if (!bend) {
+      add((apex + p + q) / 3);
+      if (to_eigen(from.gradient).dot(to_eigen(to.gradient)) < 0.99) add((p + q) / 2);
+    } else {
+      add((apex + p + to_eigen(*bend)) / 3);
+      add((apex + to_eigen(*bend) + q) / 3);
+      add((apex + to_eigen(*bend)) / 2);
+    }
+  }
+}
+
+void CellFans::check(Tally& tally, Progress& progress) const {
+  std::vector<double> values(tally.checked.size());
+  if (!answer(sought_.field, std::span<const Vec3>(tally.checked), 0, std::span(values), progress)) return;
+  tally.measured.evaluations += values.size();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double excess = std::fabs(values[i] - sought_.distance);
+    tally.measured.largest_error = std::max(tally.measured.largest_error, excess);
+    if (!(excess > check_share * sought_.tolerance)) continue;
+    if (tally.loose.empty() || tally.loose.back() != tally.checked_leaf[i])
+      tally.loose.push_back(tally.checked_leaf[i]);
+  }
 }
 
 Mesh CellFans::mesh() const {

@@ -44,13 +44,16 @@ class CellFans {
   struct Tally {
     std::vector<std::uint32_t> loose;
     SurfaceTally measured;
+    std::vector<Vec3> checked;                ///< points of the mesh to be measured
+    std::vector<std::uint32_t> checked_leaf;  ///< where they are
     std::vector<WeightedCrossing> crossings;  ///< of the loop at hand
   };
 
   bool many_loops(std::uint32_t leaf) const noexcept { return conforming_.loops(leaf).size() > 2; }
   PlainCube cube_of(std::uint32_t leaf) const;
   Vec3 apex_of(std::uint32_t leaf, CurveLoop loop, Tally& tally) const;
-  void check(std::uint32_t leaf, Tally& tally) const;
+  void add_checks(std::uint32_t leaf, Tally& tally) const;
+  void check(Tally& tally, Progress& progress) const;
   bool place_bends(Progress& progress);
   bool place_apexes(Progress& progress);
   void add(const std::vector<Tally>& tallies);

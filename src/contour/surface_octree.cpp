@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "core/vector.h"
+#include "field/batch.h"
 #include "field/query.h"
 
 namespace cdfr {
@@ -93,10 +94,11 @@ void SurfaceOctree::judge_sheet(const Vec3& centre, double size, const std::vect
   }
 }
 
-void SurfaceOctree::judge(const SurfaceCell& cell, std::vector<NearTriangle>& near, Outcome& outcome) const {
+/// `value` is the signed distance at the cell's centre.
+void SurfaceOctree::judge(const SurfaceCell& cell, double value, std::vector<NearTriangle>& near,
+                          Outcome& outcome) const {
   const double size = lattice_.size(cell.level);
   const Vec3 c = lattice_.centre(cell.lo, cell.level);
-  const double value = signed_distance(sought_.field, c);
   const double radius = half_diagonal(size) * (1 + 0x1p-40) + sought_.rounding;
   near.clear();
   if (std::fabs(value - sought_.distance) > radius) {
@@ -142,8 +144,13 @@ std::vector<std::uint32_t> SurfaceOctree::settle(std::vector<std::uint32_t> fron
       if (!progress.poll()) return;
       Task& task = tasks[first / cells_a_task];
       std::vector<NearTriangle> near;
-      for (std::size_t i = first; i < end; ++i) {
-        judge(cells_[frontier[i]], near, task.outcomes.emplace_back());
+      std::vector<Vec3> centres;
+      for (std::size_t i = first; i < end; ++i)
+        centres.push_back(lattice_.centre(cells_[frontier[i]].lo, cells_[frontier[i]].level));
+      std::vector<double> values(centres.size());
+      answer(sought_.field, std::span<const Vec3>(centres), 0, std::span(values), progress);
+      for (std::size_t i = first; i < end && !progress.cancelled(); ++i) {
+        judge(cells_[frontier[i]], values[i - first], near, task.outcomes.emplace_back());
         const Outcome& outcome = task.outcomes.back();
         const bool kept = outcome.has_list && outcome.state != CellState::empty;
         for (const NearTriangle& t : near) {

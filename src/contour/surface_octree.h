@@ -63,7 +63,7 @@ class SurfaceOctree {
                  std::vector<NearTriangle>& near) const;
   void judge_sheet(const Vec3& centre, double size, const std::vector<NearTriangle>& near,
                    Outcome& outcome) const;
-  void judge(const SurfaceCell& cell, std::vector<NearTriangle>& near, Outcome& outcome) const;
+  void judge(const SurfaceCell& cell, double value, std::vector<NearTriangle>& near, Outcome& outcome) const;
   std::vector<std::uint32_t> settle(std::vector<std::uint32_t> frontier, Progress& progress);
 
   const Sought& sought_;
