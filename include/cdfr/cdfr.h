@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cdfr/contour/contour.h"            // IWYU pragma: export
+#include "cdfr/contour/mesh.h"               // IWYU pragma: export
 #include "cdfr/core/points.h"                // IWYU pragma: export
 #include "cdfr/core/result.h"                // IWYU pragma: export
 #include "cdfr/core/run.h"                   // IWYU pragma: export

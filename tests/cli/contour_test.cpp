@@ -62,8 +62,9 @@ TEST_F(ContourCliTest, NoPointIsAnAnswer) {
 TEST_F(ContourCliTest, DepthOfAnUnsignedFieldIsRefusedByName) {
   put("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   ASSERT_EQ(run({"build", path("open.obj"), "--sign", "none", "-o", path("open.cdfr")}).status, 0);
-  for (const std::vector<std::string>& input :
-       {std::vector<std::string>{path("open.obj"), "--sign", "none"}, {path("open.cdfr")}, {cube_, "--sign", "none"}}) {
+  for (const std::vector<std::string>& input : {std::vector<std::string>{path("open.obj"), "--sign", "none"},
+                                                {path("open.cdfr")},
+                                                {cube_, "--sign", "none"}}) {
     std::vector<std::string> arguments{"contour"};
     arguments.insert(arguments.end(), input.begin(), input.end());
     arguments.insert(arguments.end(), {"--depth", "0.1", "-o", path("c.csv")});
@@ -102,6 +103,40 @@ TEST_F(ContourCliTest, PictureWithAndWithoutThePart) {
   draw({path("cube.cdfr")}, "points.png");
   EXPECT_EQ(text_of("mesh.png"), text_of("part.png"));
   EXPECT_NE(text_of("mesh.png"), text_of("points.png"));
+}
+
+TEST_F(ContourCliTest, MeshIsWrittenAndReported) {
+  for (const char* file : {"m.ply", "m.stl", "m.obj"}) {
+    const std::vector<std::string> arguments{"contour", cube_,    "--distance", "-1",      "--tolerance",
+                                             "0.05",    "--mesh", "-o",         path(file)};
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_NE(outcome.output.find("triangles"), std::string::npos) << outcome.output;
+    auto as_json = arguments;
+    as_json.emplace_back("--json");
+    const auto report = run(as_json).json();
+    EXPECT_GT(report["triangles"], 8);
+    EXPECT_EQ(report["loose"], 0);
+    EXPECT_TRUE(report["places"].is_array());
+    EXPECT_NEAR(report["box"]["min"][0].get<double>(), 1, 1e-9);
+    const auto audit = run({"audit", path(file), "--json"}).json();
+    EXPECT_EQ(audit["closed"], true) << file;
+    EXPECT_NEAR(audit["volume"].get<double>(), 27, 1e-3) << file;
+  }
+}
+
+TEST_F(ContourCliTest, MeshOfWhatHasNoneIsRefusedByName) {
+  EXPECT_EQ(run({"contour", cube_, "--distance", "1", "--mesh", "-o", path("m.glb")}).status, 2);
+  EXPECT_EQ(run({"contour", cube_, "--distance", "1", "--mesh", "--picture", path("m.png")}).status, 2);
+  put("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Outcome open = run({"contour", path("open.obj"), "--distance", "0.1", "--mesh", "-o", path("m.ply")});
+  EXPECT_EQ(open.status, 1);
+  EXPECT_NE(open.errors.find("--sign none"), std::string::npos) << open.errors;
+  EXPECT_FALSE(exists("m.ply"));
+  EXPECT_EQ(
+      run({"contour", path("open.obj"), "--sign", "none", "--distance", "0.1", "--mesh", "-o", path("m.ply")})
+          .status,
+      0);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "cdfr/mesh/read.h"
 #include "cdfr/render/splat.h"
 #include "choice_option.h"
+#include "contour_surface.h"
 #include "input.h"
 #include "json_report.h"
 #include "number_option.h"
@@ -37,6 +38,7 @@ struct Arguments {
   std::string input, output, picture, part;
   double distance = 0, depth = 0, tolerance = 0;
   Rule rule = Rule::closed;
+  bool mesh = false;
   const CLI::Option *distance_option = nullptr, *depth_option = nullptr;
   Settings settings;
 
@@ -75,6 +77,13 @@ double default_tolerance(const Field& field) {
 void check_arguments(const Arguments& arguments) {
   if (arguments.distance_option->count() + arguments.depth_option->count() != 1) {
     stop_usage("contour needs --distance or --depth, one of them");
+  }
+  if (arguments.mesh) {
+    if (arguments.output.empty()) stop_usage("contour --mesh needs -o FILE");
+    if (!arguments.picture.empty()) stop_usage("--picture shows points: not with --mesh");
+    if (!arguments.part.empty()) stop_usage("--part means nothing without --picture");
+    check_surface_target(arguments.output);
+    return;
   }
   if (arguments.output.empty() && arguments.picture.empty()) {
     stop_usage("contour needs -o FILE, --picture IMAGE.png or both");
@@ -167,13 +176,18 @@ void add_findings(const Input& input, const ContourReport& report, TextReport& t
   }
 }
 
+std::string title_of(const Arguments& arguments, const Input& input) {
+  const std::string unit = after_number(input.unit);
+  std::string title = "contour of " + terminal_text(arguments.input) + " at distance " +
+                      short_text(arguments.signed_distance()) + unit;
+  if (arguments.asks_depth()) title += " (depth " + short_text(arguments.depth) + unit + ")";
+  return title;
+}
+
 std::string contour_text(const Arguments& arguments, const Input& input, const Contour& contour) {
   const ContourReport& report = contour.report;
   const std::string unit = after_number(input.unit);
-  std::string title =
-      "contour of " + terminal_text(arguments.input) + " at distance " + short_text(contour.distance) + unit;
-  if (arguments.asks_depth()) title += " (depth " + short_text(arguments.depth) + unit + ")";
-  TextReport text(title);
+  TextReport text(title_of(arguments, input));
   if (report.points > 0) {
     add_findings(input, report, text);
   } else {
@@ -196,6 +210,12 @@ void contour_input(const Arguments& arguments) {
   const bool inside = arguments.asks_depth() || arguments.signed_distance() < 0;
   const Input input =
       open_input(arguments.input, arguments.settings, inside ? Demand::inside : Demand::any_field);
+  if (arguments.mesh) {
+    contour_surface({arguments.input, arguments.output, arguments.signed_distance(), arguments.tolerance,
+                     title_of(arguments, input), arguments.settings},
+                    input);
+    return;
+  }
   const Mesh none;
   const Contour contour = extract(arguments, input, part ? *part : input.mesh ? *input.mesh : none);
   if (arguments.settings.json) {
@@ -209,18 +229,22 @@ void contour_input(const Arguments& arguments) {
 
 void add_contour(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* verb = program.add_subcommand("contour", "Points of a contour of the signed distance");
+  CLI::App* verb =
+      program.add_subcommand("contour", "A contour of the signed distance, as points or as a mesh");
   verb->add_option("INPUT", arguments->input, "Saved field, or a mesh that is built first")->required();
   arguments->distance_option =
       add_number(*verb, "--distance", arguments->distance, {}, "Signed distance, negative inside");
   arguments->depth_option =
       add_number(*verb, "--depth", arguments->depth, {}, "Depth below the surface: --distance of -T");
   add_number(*verb, "--tolerance", arguments->tolerance, {std::numeric_limits<double>::min()},
-             "Largest distance from any point of the contour to a point found (longest side / 1000)");
+             "Largest distance from any point of the contour to what is found (longest side / 1000)");
   add_choice(*verb, "--rule", arguments->rule, rules,
              "Which sub-voxels give points: closed (no hole, no ghost) or paper (the source paper's, for "
              "comparison)");
-  verb->add_option("-o,--output", arguments->output, "Points (.ply, .glb, .csv)")->type_name("FILE");
+  verb->add_flag("--mesh", arguments->mesh, "A closed surface of triangles instead of points");
+  verb->add_option("-o,--output", arguments->output,
+                   "Points (.ply, .glb, .csv), or the mesh (.ply, .stl, .obj)")
+      ->type_name("FILE");
   verb->add_option("--picture", arguments->picture,
                    "Picture of the points, the part faint around them (.png)")
       ->type_name("FILE");
@@ -228,7 +252,8 @@ void add_contour(CLI::App& program) {
       ->type_name("MESH");
   add_field_options(*verb, arguments->settings);
   verb->footer(
-      "Example:\n  cdfr contour part.stl --depth 8.5 --tolerance 0.2 -o deep.ply --picture deep.png");
+      "Example:\n  cdfr contour part.stl --depth 8.5 --tolerance 0.2 -o deep.ply --picture deep.png\n"
+      "  cdfr contour part.stl --distance 2 --mesh -o grown.stl");
   verb->callback([arguments] { contour_input(*arguments); });
 }
 
