@@ -16,7 +16,7 @@ struct NearTriangle {
 };
 
 /// More than this is not worth looking at: the cell is split first.
-inline constexpr std::size_t most_near = 256;
+inline constexpr std::size_t most_near = 4096;
 
 /// Triangles that may win in a cell of that centre and half diagonal r: those within d + 2 r of the centre, d
 /// the distance there. For x in the cell d(x) <= d + r, and a triangle that wins at x is at most d(x) + r

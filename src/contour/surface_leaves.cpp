@@ -1,5 +1,6 @@
 #include "contour/surface_leaves.h"
 
+#include "contour/exclusion.h"
 #include "core/parallel.h"
 #include "core/vector.h"
 
@@ -107,6 +108,9 @@ SurfaceLeaves::Verdict SurfaceLeaves::judge_hidden(const SurfaceLeaf& leaf,
     // What reaches above the height by less than half the deepest cells' edge no corner needs to show.
     if (!high && 2 * (bounds.most - height) < lattice.step) return Verdict::undecided;
     if (flatness(sought_.field, centre, size, sought_.slack, near).planes == 1) return Verdict::keep;
+  } else if (!high &&
+             distance_above(sought_.field, lattice.corner(cell.lo), size) < height - sought_.rounding) {
+    return Verdict::empty;
   }
   return cell.level < lattice.deepest ? Verdict::split : Verdict::undecided;
 }
