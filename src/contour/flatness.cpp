@@ -72,12 +72,15 @@ bool stays_below(const FieldData& field, const Eigen::Vector3d& centre, double s
 
 }  // namespace
 
-Flatness flatness(const FieldData& field, const Eigen::Vector3d& centre, double size, const Slack& slack,
-                  const std::vector<NearTriangle>& near) {
+namespace {
+
+/// At most so many planes, each within the same slack.
+Flatness few_planes(const FieldData& field, const Eigen::Vector3d& centre, double size, int most_planes,
+                    double below, double above, const std::vector<NearTriangle>& near) {
   Flatness flat;
   std::array<std::uint32_t, 3> slots{};
-  while (const NearTriangle* next = unexplained(field, centre, flat, size, slack.below, near)) {
-    if (flat.planes == 3 || next->foot.gradient.isZero(0)) return {};
+  while (const NearTriangle* next = unexplained(field, centre, flat, size, below, near)) {
+    if (flat.planes == most_planes || next->foot.gradient.isZero(0)) return {};
     slots[flat.planes] = next->slot;
     flat.plane[flat.planes++] = {next->foot.distance, next->foot.gradient};
   }
@@ -85,15 +88,35 @@ Flatness flatness(const FieldData& field, const Eigen::Vector3d& centre, double 
   flat.least = flat.most = std::numeric_limits<double>::infinity();
   for (int i = 0; i < flat.planes; ++i) {
     const TangentPlane& plane = flat.plane[i];
-    if (!stays_below(field, centre, size, slack.above, plane, slots[i]) &&
-        !covers(field, centre, size, plane.gradient, plane.value, slack.above, near)) {
+    if (!stays_below(field, centre, size, above, plane, slots[i]) &&
+        !covers(field, centre, size, plane.gradient, plane.value, above, near)) {
       return {};
     }
     const double spread = half_spread(plane.gradient, size);
-    flat.least = std::min(flat.least, plane.value - spread - slack.below - rounding);
-    flat.most = std::min(flat.most, plane.value + spread + slack.above + rounding);
+    flat.least = std::min(flat.least, plane.value - spread - below - rounding);
+    flat.most = std::min(flat.most, plane.value + spread + above + rounding);
   }
   return flat;
+}
+
+/// No two planes meet at more than 60 degrees.
+bool is_gentle(const Flatness& flat) noexcept {
+  for (int i = 0; i < flat.planes; ++i) {
+    for (int j = 0; j < i; ++j) {
+      if (flat.plane[i].gradient.dot(flat.plane[j].gradient) < 0.5) return false;
+    }
+  }
+  return flat.planes > 0;
+}
+
+}  // namespace
+
+Flatness flatness(const FieldData& field, const Eigen::Vector3d& centre, double size, const Slack& slack,
+                  const std::vector<NearTriangle>& near) {
+  const Flatness one = few_planes(field, centre, size, 1, slack.below, slack.above, near);
+  if (one.planes == 1) return one;
+  const Flatness gentle = few_planes(field, centre, size, 3, slack.below, slack.above, near);
+  return is_gentle(gentle) ? gentle : few_planes(field, centre, size, 3, slack.sharp, slack.sharp, near);
 }
 
 bool is_sheet(const FieldData& field, const Eigen::Vector3d& centre, double size, const Slack& slack,

@@ -38,9 +38,10 @@ struct TangentPlane {
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
 };
 
-/// How far the distance may be below and above what it is taken for.
+/// How far the distance may be below and above one plane, and to either side of several: where planes meet at
+/// an acute angle an error moves their corner by a multiple of itself.
 struct Slack {
-  double below = 0, above = 0;
+  double below = 0, above = 0, sharp = 0;
 };
 
 struct Flatness {

@@ -22,10 +22,10 @@
 namespace cdfr {
 namespace {
 
-/// Of the tolerance: how far the distance may be below and above linear in a coarse cell. Above counts for
-/// less: it is how far round parts bend away from a tangent in the cell's middle, and the mesh has vertices
-/// on the contour all about.
-constexpr double share_below = 1.0 / 8, share_above = 1.0 / 2;
+/// Of the tolerance: how far the distance may be below and above linear in a coarse cell, and from several
+/// planes that meet sharply. Above counts for less: it is how far round parts bend away from a tangent in the
+/// cell's middle, and the mesh has vertices on the contour all about.
+constexpr double share_below = 1.0 / 4, share_above = 1.0 / 2, share_sharp = 1.0 / 8;
 /// Rounds in which cells that a check found loose are split.
 constexpr int most_checks = 4;
 constexpr std::size_t most_places = 10000;
@@ -164,7 +164,7 @@ Sought sought_of(const FieldData& field, const SurfaceLattice& lattice, double d
   return {field,
           distance,
           tolerance,
-          {share_below * tolerance, share_above * tolerance},
+          {share_below * tolerance, share_above * tolerance, share_sharp * tolerance},
           16 * std::ldexp(1.0, std::ilogb(largest) - 52)};
 }
 
