@@ -1,8 +1,8 @@
 #include "contour/surface_leaves.h"
 
-#include "contour/exclusion.h"
 #include "core/parallel.h"
 #include "core/vector.h"
+#include "field/distance_above.h"
 
 namespace cdfr {
 namespace {
