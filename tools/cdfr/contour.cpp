@@ -75,6 +75,8 @@ double default_tolerance(const Field& field) {
 }
 
 void check_arguments(const Arguments& arguments) {
+  if (arguments.mesh && arguments.rule == Rule::paper)
+    stop_usage("--rule paper is for points, not for --mesh");
   if (arguments.distance_option->count() + arguments.depth_option->count() != 1) {
     stop_usage("contour needs --distance or --depth, one of them");
   }
