@@ -8,6 +8,7 @@
 #include "support/meshes.h"
 #include "support/random.h"
 #include "support/same.h"
+#include "support/sanitized.h"
 
 namespace cdfr {
 namespace {
@@ -17,7 +18,7 @@ void expect_same_answers(const Field& field, const Field& cut) {
   const Box b = field.domain();
   const double m = (b.hi.x - b.lo.x) / 10;
   const Box around{{b.lo.x - m, b.lo.y - m, b.lo.z - m}, {b.hi.x + m, b.hi.y + m, b.hi.z + m}};
-  for (int i = 0; i < 4000; ++i) {
+  for (int i = 0; i < (test::sanitized ? 400 : 4000); ++i) {
     const Vec3 x = random.in(around);
     const Closest a = field.closest(x), c = cut.closest(x);
     ASSERT_EQ(a.distance, c.distance);
@@ -52,7 +53,7 @@ void expect_cuts(const Mesh& mesh, const BuildOptions& options = {}) {
 TEST(CutField, KeepsItsAnswersAtEveryLevel) {
   BuildOptions options;
   options.max_triangles_per_leaf = 20;
-  expect_cuts(test::sphere_mesh(4), options);
+  expect_cuts(test::sphere_mesh(test::sanitized ? 3 : 4), options);
   expect_cuts(make_part("six-star").value(), options);
 }
 
@@ -69,7 +70,7 @@ TEST(CutField, KeepsDomains) {
   BuildOptions options;
   options.max_triangles_per_leaf = 20;
   options.domain = Domain::interior;
-  expect_cuts(test::sphere_mesh(4), options);
+  expect_cuts(test::sphere_mesh(test::sanitized ? 3 : 4), options);
 }
 
 TEST(CutField, RefusesLevelsThatAreNone) {
