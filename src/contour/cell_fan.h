@@ -38,6 +38,8 @@ class CellFans {
   const std::vector<std::uint32_t>& loose() const noexcept { return loose_; }
   double largest_error() const noexcept { return largest_error_; }
   std::uint64_t evaluations() const noexcept { return evaluations_; }
+  /// More than 2^32 - 2 triangles: two a piece of curve at most in each of its cells.
+  bool too_large() const noexcept { return 4 * conforming_.curves().faces().size() >= no_index; }
   Mesh mesh() const;
 
  private:

@@ -20,7 +20,7 @@ class Conforming {
   Conforming(SurfaceLeaves& leaves, Crossings& crossings)
       : leaves_(leaves), crossings_(crossings), curves_(leaves) {}
 
-  /// False if cancelled.
+  /// False if cancelled or if the octree has overflowed.
   bool run(Progress& progress);
   const CellCurves& curves() const noexcept { return curves_; }
   /// Where a leaf's loops begin, and where the last one ends, in its pieces.

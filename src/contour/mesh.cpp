@@ -28,6 +28,7 @@ namespace {
 constexpr double share_below = 1.0 / 4, share_above = 1.0 / 2, share_sharp = 1.0 / 8;
 /// Rounds in which cells that a check found loose are split.
 constexpr int most_checks = 4;
+constexpr double share_of_descent = 0.6;
 constexpr std::size_t most_places = 10000;
 
 class Meshing {
@@ -40,23 +41,31 @@ class Meshing {
         conforming_(leaves_, crossings_) {}
 
   Result<ContourMesh> run() {
-    progress_.phase(0, 1, most_checks + 1);
-    if (!leaves_.descend(progress_)) return Progress::error();
-    progress_.step();
+    progress_.phase(0, share_of_descent, leaves_.octree().lattice().deepest + 1);
+    if (!leaves_.descend(progress_)) return failure();
+    double done = share_of_descent;
     for (int check = 0;; ++check) {
-      if (!conforming_.run(progress_) || !crossings_.solve(progress_)) return Progress::error();
+      progress_.phase(done, (done + 1) / 2, 1);
+      done = (done + 1) / 2;
+      if (!conforming_.run(progress_) || !crossings_.solve(progress_)) return failure();
       fans_.emplace(sought_, leaves_, crossings_, conforming_);
-      if (!fans_->place(progress_)) return Progress::error();
+      if (!fans_->place(progress_)) return failure();
       progress_.step();
       if (fans_->loose().empty() || check == most_checks) break;
-      if (!leaves_.split(fans_->loose(), progress_)) return Progress::error();
+      if (!leaves_.split(fans_->loose(), progress_)) return failure();
     }
+    if (fans_->too_large()) return too_large();
     ContourMesh result{fans_->mesh(), {}};
     describe(result);
     return result;
   }
 
  private:
+  static Error too_large() {
+    return {Code::out_of_range, 0, "the mesh would have more than 2^32 - 2 triangles or cells"};
+  }
+  Error failure() const { return leaves_.octree().overflowed() ? too_large() : Progress::error(); }
+
   void describe(ContourMesh& result) const {
     ContourMeshReport& report = result.report;
     report.smallest_cell = leaves_.octree().lattice().step;
@@ -197,7 +206,7 @@ Result<ContourMesh> contour_mesh(const Field& field, double distance, const Cont
   const SurfaceLattice lattice = surface_lattice(data.bounds(), std::fabs(distance), tolerance);
   if (!fits(lattice)) {
     return Error{Code::bad_option, 0,
-                 "tolerance must be at least 2^-18 of the contour's box and 2^-28 of the largest coordinate"};
+                 "tolerance must be at least 2^-15 of the contour's box and 2^-26 of the largest coordinate"};
   }
   Progress progress(run);
   progress.watch(data.map.get());

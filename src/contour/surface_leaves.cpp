@@ -77,7 +77,7 @@ bool SurfaceLeaves::settle(std::vector<std::uint32_t> cells, Progress& progress)
     }
     cells = octree_.split(again, progress);
   }
-  return !progress.cancelled();
+  return !progress.cancelled() && !octree_.overflowed();
 }
 
 SurfaceLeaves::Verdict SurfaceLeaves::judge(const SurfaceLeaf& leaf, std::vector<NearTriangle>& near) const {

@@ -34,7 +34,7 @@ class SurfaceLeaves {
   const std::vector<SurfaceLeaf>& leaves() const noexcept { return leaves_; }
   int level(const SurfaceLeaf& leaf) const noexcept { return octree_.cell(leaf.cell).level; }
 
-  /// Both return false if cancelled.
+  /// Both return false if cancelled or if the octree has overflowed.
   bool descend(Progress& progress);
   /// Precondition: none of them is at the deepest level.
   bool split(std::span<const std::uint32_t> leaves, Progress& progress);

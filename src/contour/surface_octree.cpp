@@ -13,18 +13,27 @@ namespace {
 
 /// Cells that a task judges: fixed, so that nothing depends on threads.
 constexpr std::size_t cells_a_task = 64;
+/// Of cells and list entries, whose numbers are 32 bits; a task more adds at most 2^19 of either.
+constexpr std::size_t most_numbers = 0xfff00000U;
 /// Of the tolerance: a wedge that corners do not show may reach so far before the cell is split for it.
 constexpr double hidden_share = 1.0 / 8;
 
 }  // namespace
 
-/// What was found of a cell; `list` is where its slots begin in the task's own.
+/// What was found of a cell.
 struct SurfaceOctree::Outcome {
   CellState state = CellState::active;
   bool split = false;
   bool surface_enters = false;
   std::uint8_t planes = 0;
   bool has_list = false;
+  std::uint32_t list_size = 0;
+};
+
+/// Of some cells one after another, with their lists joined.
+struct SurfaceOctree::Task {
+  std::vector<Outcome> outcomes;
+  std::vector<std::uint32_t> slots;
 };
 
 SurfaceOctree::SurfaceOctree(const Sought& sought, const SurfaceLattice& lattice)
@@ -32,18 +41,23 @@ SurfaceOctree::SurfaceOctree(const Sought& sought, const SurfaceLattice& lattice
   cells_.emplace_back();
 }
 
-std::vector<std::uint32_t> SurfaceOctree::descend(Progress& progress) { return settle({0}, progress); }
-
-std::vector<std::uint32_t> SurfaceOctree::split(std::span<const std::uint32_t> leaves, Progress& progress) {
-  std::vector<std::uint32_t> frontier;
-  for (const std::uint32_t leaf : leaves) {
-    add_children(leaf);
-    for (std::uint32_t child = 0; child < 8; ++child) frontier.push_back(cells_[leaf].first_child + child);
+std::vector<std::uint32_t> SurfaceOctree::descend(Progress& progress) {
+  std::vector<std::uint32_t> frontier{0}, active;
+  while (!frontier.empty()) {
+    frontier = judge_all(frontier, active, progress);
+    progress.step();
   }
-  return settle(std::move(frontier), progress);
+  return active;
 }
 
-void SurfaceOctree::add_children(std::uint32_t parent) {
+std::vector<std::uint32_t> SurfaceOctree::split(std::span<const std::uint32_t> leaves, Progress& progress) {
+  std::vector<std::uint32_t> frontier, active;
+  for (const std::uint32_t leaf : leaves) add_children(leaf, frontier);
+  while (!frontier.empty()) frontier = judge_all(frontier, active, progress);
+  return active;
+}
+
+void SurfaceOctree::add_children(std::uint32_t parent, std::vector<std::uint32_t>& frontier) {
   const auto first = static_cast<std::uint32_t>(cells_.size());
   cells_[parent].state = CellState::inner;
   cells_[parent].first_child = first;
@@ -58,6 +72,7 @@ void SurfaceOctree::add_children(std::uint32_t parent) {
     cell.list = above.list;
     cell.list_size = above.list_size;
     cells_.push_back(cell);
+    frontier.push_back(first + child);
   }
 }
 
@@ -132,67 +147,67 @@ void SurfaceOctree::judge(const SurfaceCell& cell, double value, std::vector<Nea
   outcome.split = false;
 }
 
-std::vector<std::uint32_t> SurfaceOctree::settle(std::vector<std::uint32_t> frontier, Progress& progress) {
-  struct Task {
-    std::vector<Outcome> outcomes;
-    std::vector<std::uint32_t> slots, sizes;
-  };
-  std::vector<std::uint32_t> active;
-  while (!frontier.empty()) {
-    std::vector<Task> tasks((frontier.size() + cells_a_task - 1) / cells_a_task);
-    for_chunks(frontier.size(), cells_a_task, [&](std::size_t first, std::size_t end) {
-      if (!progress.poll()) return;
-      Task& task = tasks[first / cells_a_task];
-      std::vector<NearTriangle> near;
-      std::vector<Vec3> centres;
-      for (std::size_t i = first; i < end; ++i)
-        centres.push_back(lattice_.centre(cells_[frontier[i]].lo, cells_[frontier[i]].level));
-      std::vector<double> values(centres.size());
-      answer(sought_.field, std::span<const Vec3>(centres), 0, std::span(values), progress);
-      for (std::size_t i = first; i < end && !progress.cancelled(); ++i) {
-        judge(cells_[frontier[i]], values[i - first], near, task.outcomes.emplace_back());
-        const Outcome& outcome = task.outcomes.back();
-        const bool kept = outcome.has_list && outcome.state != CellState::empty;
-        for (const NearTriangle& t : near) {
-          if (kept) task.slots.push_back(t.slot);
-        }
-        task.sizes.push_back(kept ? static_cast<std::uint32_t>(near.size()) : 0);
-      }
-    });
-    if (progress.cancelled()) return {};
-    evaluations_ += frontier.size();
-    std::vector<std::uint32_t> next;
-    std::uint32_t list_end = 0;
-    for (std::size_t i = 0; i < frontier.size(); ++i) {
-      const Task& task = tasks[i / cells_a_task];
-      const std::size_t at = i % cells_a_task;
-      const Outcome& outcome = task.outcomes[at];
-      SurfaceCell& cell = cells_[frontier[i]];
-      if (at == 0) {
-        lists_.insert(lists_.end(), task.slots.begin(), task.slots.end());
-        list_end = static_cast<std::uint32_t>(lists_.size() - task.slots.size());
-      }
-      cell.state = outcome.state;
-      cell.planes = outcome.planes;
-      cell.surface_enters = outcome.surface_enters;
-      if (task.sizes[at] > 0) {
-        cell.list = list_end;
-        cell.list_size = task.sizes[at];
-        list_end += task.sizes[at];
-      }
-      if (outcome.split) {
-        add_children(frontier[i]);
-        for (std::uint32_t child = 0; child < 8; ++child)
-          next.push_back(cells_[frontier[i]].first_child + child);
-      } else if (outcome.state == CellState::active) {
-        active.push_back(frontier[i]);
-        for (std::uint32_t up = frontier[i]; up != no_index && !cells_[up].busy; up = cells_[up].parent)
-          cells_[up].busy = true;
-      }
-    }
-    frontier = std::move(next);
+void SurfaceOctree::judge_some(std::span<const std::uint32_t> some, Task& task, Progress& progress) const {
+  std::vector<NearTriangle> near;
+  std::vector<Vec3> centres;
+  for (const std::uint32_t number : some)
+    centres.push_back(lattice_.centre(cells_[number].lo, cells_[number].level));
+  std::vector<double> values(centres.size());
+  if (!answer(sought_.field, std::span<const Vec3>(centres), 0, std::span(values), progress)) return;
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    Outcome& outcome = task.outcomes.emplace_back();
+    judge(cells_[some[i]], values[i], near, outcome);
+    if (!outcome.has_list || outcome.state == CellState::empty) continue;
+    outcome.list_size = static_cast<std::uint32_t>(near.size());
+    for (const NearTriangle& t : near) task.slots.push_back(t.slot);
   }
-  return active;
+}
+
+/// Adds what became an active leaf to `active`, and returns the children of what was split. Empty if
+/// cancelled.
+std::vector<std::uint32_t> SurfaceOctree::judge_all(std::span<const std::uint32_t> frontier,
+                                                    std::vector<std::uint32_t>& active, Progress& progress) {
+  std::vector<Task> tasks((frontier.size() + cells_a_task - 1) / cells_a_task);
+  for_chunks(frontier.size(), cells_a_task, [&](std::size_t first, std::size_t end) {
+    if (progress.poll())
+      judge_some(frontier.subspan(first, end - first), tasks[first / cells_a_task], progress);
+  });
+  if (progress.cancelled()) return {};
+  evaluations_ += frontier.size();
+  std::vector<std::uint32_t> next;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    std::size_t list = lists_.size();
+    lists_.insert(lists_.end(), tasks[i].slots.begin(), tasks[i].slots.end());
+    for (std::size_t k = 0; k < tasks[i].outcomes.size(); ++k) {
+      apply(frontier[i * cells_a_task + k], tasks[i].outcomes[k], list, active, next);
+      list += tasks[i].outcomes[k].list_size;
+    }
+    if (cells_.size() > most_numbers || lists_.size() > most_numbers) {
+      overflowed_ = true;
+      return {};
+    }
+  }
+  return next;
+}
+
+/// `list` is where its slots begin.
+void SurfaceOctree::apply(std::uint32_t number, const Outcome& outcome, std::size_t list,
+                          std::vector<std::uint32_t>& active, std::vector<std::uint32_t>& next) {
+  SurfaceCell& cell = cells_[number];
+  cell.state = outcome.state;
+  cell.planes = outcome.planes;
+  cell.surface_enters = outcome.surface_enters;
+  if (outcome.list_size > 0) {
+    cell.list = static_cast<std::uint32_t>(list);
+    cell.list_size = outcome.list_size;
+  }
+  if (outcome.split) {
+    add_children(number, next);
+  } else if (outcome.state == CellState::active) {
+    active.push_back(number);
+    for (std::uint32_t up = number; up != no_index && !cells_[up].busy; up = cells_[up].parent)
+      cells_[up].busy = true;
+  }
 }
 
 }  // namespace cdfr

@@ -47,6 +47,9 @@ class SurfaceOctree {
   const SurfaceLattice& lattice() const noexcept { return lattice_; }
   std::uint64_t evaluations() const noexcept { return evaluations_; }
 
+  /// There are more cells than numbers for them: what was returned since is not all.
+  bool overflowed() const noexcept { return overflowed_; }
+
   /// From the root down to leaves. The new active leaves, level by level, in the order of their parents.
   /// Empty if cancelled.
   std::vector<std::uint32_t> descend(Progress& progress);
@@ -58,19 +61,25 @@ class SurfaceOctree {
 
  private:
   struct Outcome;
-  void add_children(std::uint32_t parent);
+  struct Task;
+  void add_children(std::uint32_t parent, std::vector<std::uint32_t>& frontier);
   bool find_near(const SurfaceCell& cell, const Eigen::Vector3d& centre, double distance,
                  std::vector<NearTriangle>& near) const;
   void judge_sheet(const Vec3& centre, double size, const std::vector<NearTriangle>& near,
                    Outcome& outcome) const;
   void judge(const SurfaceCell& cell, double value, std::vector<NearTriangle>& near, Outcome& outcome) const;
-  std::vector<std::uint32_t> settle(std::vector<std::uint32_t> frontier, Progress& progress);
+  void judge_some(std::span<const std::uint32_t> some, Task& task, Progress& progress) const;
+  std::vector<std::uint32_t> judge_all(std::span<const std::uint32_t> frontier,
+                                       std::vector<std::uint32_t>& active, Progress& progress);
+  void apply(std::uint32_t number, const Outcome& outcome, std::size_t list,
+             std::vector<std::uint32_t>& active, std::vector<std::uint32_t>& next);
 
   const Sought& sought_;
   SurfaceLattice lattice_;
   std::vector<SurfaceCell> cells_;
   std::vector<std::uint32_t> lists_;
   std::uint64_t evaluations_ = 0;
+  bool overflowed_ = false;
 };
 
 }  // namespace cdfr

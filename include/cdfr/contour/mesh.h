@@ -41,8 +41,8 @@ struct ContourMeshReport {
   std::uint64_t vertices = 0, triangles = 0;
   std::uint64_t crowded = 0, undecided = 0, loose = 0;  ///< places of each doubt
   std::vector<ContourPlace> places;  ///< those places, in the order of the cells; the first 10,000 of each
-  /// Largest |signed distance - distance| that was measured on the mesh: at its vertices on the cells' edges,
-  /// at sharp ones, and at the centroids of triangles in cells larger than the tolerance.
+  /// Largest |signed distance - distance| that was measured on the finished mesh: at sharp vertices, and at a
+  /// few points of each cell larger than the tolerance.
   double largest_error = 0;
   bool part_itself = false;  ///< distance 0 of a closed and embedded part: its own triangles
   Box box;                   ///< of the vertices; lo > hi if there are none
@@ -58,18 +58,21 @@ struct ContourMesh {
 /// meets itself. All that holds by construction, in exact arithmetic on the coordinates given back; writing
 /// them as float32 (STL) may break the last. The mesh is within the tolerance of the contour and the contour
 /// within the tolerance of it, but for the report's places. Sharp edges and corners of the contour are edges
-/// and vertices of the mesh. Distance 0 of a closed, embedded part gives its own triangles, welded.
+/// and vertices of the mesh, but where one reaches out of a cell by less than an eighth of the tolerance.
+/// Distance 0 of a closed, embedded part gives its own triangles, welded.
 ///
 /// An empty contour is an empty mesh. Where {signed distance < distance} has no volume, such as at exactly
-/// half the thickness of a plate, there is nothing to bound: no mesh. A sheet of it, or a gap between two,
-/// that is thinner than the deepest cells (at least a fourteenth of the tolerance) can be lost; it is counted
-/// as undecided.
+/// half the thickness of a plate, there is nothing to bound: no mesh, and the place is counted as undecided
+/// if rounding may have left a sheet. A sheet of it, or a gap between two, that is thinner than the deepest
+/// cells (at most a seventh of the tolerance) can be lost; it is counted too. Sheets thinner than the
+/// tolerance take cells as small as they are thin, so triangles in millions.
 ///
 /// The same bytes for any number of threads. Time and memory: O(cells that the contour passes); flat and
-/// gently curved parts take large cells. Errors: bad_option (distance or tolerance not finite; tolerance
-/// below 2^-18 of the contour's box or 2^-28 of the largest coordinate), not_closed (the mesh is open, so
-/// that the sign changes off its surface; or the field is unsigned and the distance not above 0),
-/// out_of_range (more than 2^32 - 2 triangles), cancelled, and the field's own. Thread safe.
+/// gently curved parts take large cells; about a kilobyte a cell while it runs, which no budget bounds.
+/// Errors: bad_option (distance or tolerance not finite; tolerance below 2^-15 of the contour's box or 2^-26
+/// of the largest coordinate), not_closed (the mesh is open, so that the sign changes off its surface; or the
+/// field is unsigned and the distance not above 0), out_of_range (more than 2^32 - 2 triangles or cells),
+/// cancelled, and the field's own. Thread safe.
 CDFR_API Result<ContourMesh> contour_mesh(const Field& field, double distance,
                                           const ContourMeshOptions& options = {}, const Run& run = {});
 
