@@ -21,6 +21,7 @@
 #include "models.h"
 #include "papers_way.h"
 #include "peak_memory.h"
+#include "rounds.h"
 #include "table.h"
 
 namespace cdfr::bench {
@@ -95,17 +96,10 @@ void contours(benchmark::State& state, const Model& model, double fineness) {
                                   one.seconds);
     }
   }
-  for (auto& [column, values] : own) {
+  for (const auto& [column, values] : own) {
     measured[column].insert(measured[column].end(), values.begin(), values.end());
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    state.counters[column] = values[values.size() / 2];
+    state.counters[column] = median(values);
   }
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return NAN;
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 void print_targets() {

@@ -50,8 +50,8 @@ LeafDescent::Sided LeafDescent::side_in(const Region& region) const noexcept {
 }
 
 bool LeafDescent::run(const Region& region) {
-  const bool is_fine = level_.tolerance < least_tolerance * level_.rounding;
-  if (level_.height == 0 || region.list.empty() || is_fine) return false;
+  const bool is_too_fine = level_.tolerance < least_tolerance * level_.rounding;
+  if (level_.height == 0 || region.list.empty() || is_too_fine) return false;
   // The paper's rule takes centres on the other side as well.
   if (level_.rule == Rule::paper && level_.height < level_.tolerance) return false;
   const Sided sided = side_in(region);
@@ -66,8 +66,7 @@ bool LeafDescent::run(const Region& region) {
                          middle_.z - lattice.origin.z};
   const Vec3 in_edges{from_origin.x * scale, from_origin.y * scale, from_origin.z * scale};
   if (!list_.fill(field_.triangles, lattice, region.list, in_edges, radius_ * scale)) return false;
-  final_size_ = region.cube.size;
-  while (!level_.is_final(Cube{{}, final_size_}.half_diagonal())) final_size_ /= 2;
+  final_size_ = final_size(level_, region.cube.size);
   error_ = 0;
   const std::size_t count = list_.triangles.size();
   frames_.resize(count);
@@ -325,13 +324,13 @@ void LeafDescent::redo_failed() {
   if (failed_.empty()) return;
   std::stable_sort(failed_.begin(), failed_.end(),
                    [](const Placed& a, const Placed& b) { return a.point < b.point; });
-  const std::vector<ContourPoint> before(std::move(points_));
+  before_.swap(points_);
   points_.clear();
   const double half = final_size_ / 2;
   std::size_t next = 0;
   const auto keep_until = [&](std::size_t end) {
-    points_.insert(points_.end(), before.begin() + static_cast<std::ptrdiff_t>(next),
-                   before.begin() + static_cast<std::ptrdiff_t>(end));
+    points_.insert(points_.end(), before_.begin() + static_cast<std::ptrdiff_t>(next),
+                   before_.begin() + static_cast<std::ptrdiff_t>(end));
   };
   for (const Placed& placed : failed_) {
     keep_until(placed.point);
@@ -339,7 +338,7 @@ void LeafDescent::redo_failed() {
     const Vec3 c{middle_.x + placed.centre.x, middle_.y + placed.centre.y, middle_.z + placed.centre.z};
     if (!placed.is_excluded) single_.finish({{c.x - half, c.y - half, c.z - half}, final_size_});
   }
-  keep_until(before.size());
+  keep_until(before_.size());
   failed_.clear();
 }
 

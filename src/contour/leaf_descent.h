@@ -98,6 +98,7 @@ class LeafDescent {
   std::vector<std::array<std::uint32_t, 7>> base_;  ///< by number and place, as far as asked for
   std::vector<Placed> beyond_;                      ///< moved out of the region
   std::vector<Placed> failed_;                      ///< left to the general way
+  std::vector<ContourPoint> before_;                ///< the points while those are redone
 
   // Of the tile, from the middle.
   RegionPoints centres_, octants_;

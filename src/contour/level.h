@@ -17,10 +17,9 @@ namespace cdfr {
 /// Where the mesh is open the sign changes off the surface too and the signed distance jumps there. Then
 /// values are unsigned, which have slope 1 everywhere, and points on the wrong side are left out.
 struct Level {
-  double height = 0;  ///< |t|
-  double side = 1;    ///< -1 inside
-  double rounding =
-      0;  ///< 16 ulp at the largest coordinate in play: covers the kernel (4) and one point's arithmetic
+  double height = 0;    ///< |t|
+  double side = 1;      ///< -1 inside
+  double rounding = 0;  ///< point_rounding
   bool jumps = false;
   Rule rule = Rule::closed;
   double tolerance = 0;

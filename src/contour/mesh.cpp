@@ -174,7 +174,7 @@ Sought sought_of(const FieldData& field, const SurfaceLattice& lattice, double d
           distance,
           tolerance,
           {share_below * tolerance, share_above * tolerance, share_sharp * tolerance},
-          16 * std::ldexp(1.0, std::ilogb(largest) - 52)};
+          point_rounding(largest)};
 }
 
 Result<void> check_options(const FieldData& field, double distance, double tolerance) {

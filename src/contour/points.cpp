@@ -31,7 +31,7 @@ Level level_of(const FieldData& field, double distance, Rule rule, double tolera
       std::max(largest_magnitude(domain.lo), largest_magnitude(domain.hi)) + std::fabs(distance);
   return {std::fabs(distance),
           distance < 0 ? -1.0 : 1.0,
-          16 * std::ldexp(1.0, std::ilogb(largest) - 52),
+          point_rounding(largest),
           !field.winding.empty(),
           rule,
           tolerance};
@@ -65,19 +65,13 @@ void describe(const std::vector<ContourPoint>& points, ContourReport& report) {
   }
 }
 
-double subvoxel_of(const Lattice& lattice, const Level& level) noexcept {
-  Cube cube{{}, lattice.edge};
-  while (!level.is_final(cube.half_diagonal())) cube.size /= 2;
-  return cube.size;
-}
-
 class Extraction {
  public:
   Extraction(const FieldData& field, const Level& level, PointSink& sink, Progress& progress)
       : field_(field), level_(level), sink_(sink), progress_(progress) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     report_.box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-    report_.subvoxel = subvoxel_of(field.tree.lattice, level);
+    report_.subvoxel = final_size(level, field.tree.lattice.edge);
     report_.leaves = field.tree.leaves.size();
     const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
     for (std::size_t i = 0; i < threads * regions_a_thread; ++i)
@@ -102,7 +96,6 @@ class Extraction {
  private:
   void flush() {
     for_chunks(wave_.size(), 1, [&](std::size_t i, std::size_t) {
-      workers_[i]->points.clear();
       if (progress_.poll()) workers_[i]->run(wave_[i]);
     });
     for (std::size_t i = 0; i < wave_.size(); ++i) {

@@ -14,8 +14,7 @@ struct Sought {
   double distance = 0;   ///< signed
   double tolerance = 0;  ///< E
   Slack slack;           ///< between the distance in a coarse cell and what it is taken for
-  double rounding =
-      0;  ///< 16 ulp at the largest coordinate in play: the kernel's 4 and one point's arithmetic
+  double rounding = 0;   ///< point_rounding
 
   double height() const noexcept { return std::fabs(distance); }
   /// Of the set that the mesh bounds.

@@ -30,6 +30,12 @@ inline double largest_magnitude(const Vec3& p) noexcept {
   return std::fmax(std::fabs(p.x), std::fmax(std::fabs(p.y), std::fabs(p.z)));
 }
 
+/// 16 ulp of the largest coordinate in play: what a distance (the kernel's 4) and the arithmetic of one point
+/// may be off by.
+inline double point_rounding(double largest) noexcept {
+  return 16 * std::ldexp(1.0, std::ilogb(largest) - 52);
+}
+
 /// Precondition: p is finite.
 inline Vec3 without_dust(const Vec3& p) noexcept {
   const auto clean = [](double v) { return std::fabs(v) < smallest_query ? 0.0 : v; };

@@ -38,7 +38,7 @@ Result<VoxelGrid> grid_for(const Box& mesh, const UniformOptions& options) {
   }
   const Vec3 end = grid.at(grid.counts[0], grid.counts[1], grid.counts[2]);
   const double largest = std::max(largest_magnitude(grid.origin), largest_magnitude(end));
-  grid.slack = 16 * std::ldexp(1.0, std::ilogb(largest) - 52);
+  grid.slack = point_rounding(largest);
   if (grid.size < 0x1p16 * grid.slack) {
     return Error{Code::out_of_range, 0, "voxels are too small for coordinates of this size"};
   }

@@ -1,7 +1,6 @@
 // Threads, cancel, and what is refused by name.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -9,6 +8,7 @@
 #include "contour/surface.h"
 #include "support/meshes.h"
 #include "support/same.h"
+#include "support/ticks.h"
 
 namespace cdfr {
 namespace {
@@ -38,27 +38,16 @@ TEST(MeshRun, SameBytesForAnyThreads) {
   }
 }
 
-struct Ticks {
-  std::atomic<int> left = 0;
-  std::atomic<bool> disorder = false;
-};
-
-bool count_down(void* context, double done) noexcept {
-  auto& ticks = *static_cast<Ticks*>(context);
-  if (!(done >= 0 && done <= 1 + 1e-9)) ticks.disorder = true;
-  return ticks.left-- > 0;
-}
-
 TEST(MeshRun, TickCancelsEarlyAndLate) {
   const Field field = box_field();
   for (const double distance : {-0.1, 0.0, 0.1}) {
     for (const int after : {0, 1, 5, 20}) {
       if (distance == 0 && after > 0) continue;
-      Ticks ticks;
+      test::Ticks ticks;
       ticks.left = after;
       cdfr::Run run;
       run.threads = 2;
-      run.tick = count_down;
+      run.tick = test::count_down;
       run.context = &ticks;
       const auto result = contour_mesh(field, distance, {0.002}, run);
       ASSERT_FALSE(result) << distance << ' ' << after;
@@ -68,10 +57,10 @@ TEST(MeshRun, TickCancelsEarlyAndLate) {
 }
 
 TEST(MeshRun, TickIsToldTheShareDone) {
-  Ticks ticks;
+  test::Ticks ticks;
   ticks.left = 1 << 30;
   cdfr::Run run;
-  run.tick = count_down;
+  run.tick = test::count_down;
   run.context = &ticks;
   ASSERT_TRUE(contour_mesh(box_field(), 0.1, {0.02}, run));
   EXPECT_LT(ticks.left, 1 << 30);

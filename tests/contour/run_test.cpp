@@ -1,11 +1,10 @@
 // Threads, cancel and the sink's own errors.
 #include <gtest/gtest.h>
 
-#include <atomic>
-
 #include "contour/case.h"
 #include "support/meshes.h"
 #include "support/same.h"
+#include "support/ticks.h"
 
 namespace cdfr {
 namespace {
@@ -44,29 +43,14 @@ TEST(ContourRun, SamePointsFromFieldsBuiltByAnyThreads) {
   for (std::size_t i = 0; i < points.size(); ++i) ASSERT_TRUE(same(points[i], expected[i])) << i;
 }
 
-struct Ticks {
-  std::atomic<int> left = 0;
-  std::atomic<bool> inside = false, twice = false, disorder = false;
-  double last = 0;
-};
-
-bool count_down(void* context, double done) noexcept {
-  auto& ticks = *static_cast<Ticks*>(context);
-  if (ticks.inside.exchange(true)) ticks.twice = true;
-  if (!(done >= 0 && done <= 1 + 1e-9)) ticks.disorder = true;
-  ticks.last = done;
-  ticks.inside = false;
-  return ticks.left-- > 0;
-}
-
 TEST(ContourRun, TickCancelsEarlyAndLate) {
   const Field field = sphere_field();
   for (const int after : {0, 1, 3}) {
-    Ticks ticks;
+    test::Ticks ticks;
     ticks.left = after;
     cdfr::Run run;
     run.threads = 2;
-    run.tick = count_down;
+    run.tick = test::count_down;
     run.context = &ticks;
     const auto result = contour_points(field, -0.3, {0.02}, run);
     ASSERT_FALSE(result);
@@ -77,11 +61,11 @@ TEST(ContourRun, TickCancelsEarlyAndLate) {
 
 TEST(ContourRun, TickIsToldTheShareDone) {
   const Field field = sphere_field();
-  Ticks ticks;
+  test::Ticks ticks;
   ticks.left = 1 << 30;
   cdfr::Run run;
   run.threads = 1;
-  run.tick = count_down;
+  run.tick = test::count_down;
   run.context = &ticks;
   ASSERT_TRUE(contour_points(field, -0.3, {0.1}, run));
   EXPECT_LT(ticks.left, 1 << 30);

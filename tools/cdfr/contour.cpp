@@ -17,6 +17,7 @@
 #include "cdfr/render/splat.h"
 #include "choice_option.h"
 #include "contour_surface.h"
+#include "field_report.h"
 #include "input.h"
 #include "json_report.h"
 #include "number_option.h"
@@ -136,9 +137,7 @@ Contour extract(const Arguments& arguments, const Input& input, const Mesh& part
 
 Json contour_json(const Arguments& arguments, const Input& input, const Contour& contour) {
   const ContourReport& report = contour.report;
-  Json json = begin_report(arguments.input, input.unit);
-  json["sign"] = sign_text(input.field.sign());
-  json["audit"] = json_of(input.field.report());
+  Json json = begin_field_report(arguments.input, input);
   json["distance"] = contour.distance;
   json["tolerance"] = contour.tolerance;
   json["rule"] = arguments.rule == Rule::paper ? "paper" : "closed";

@@ -8,6 +8,7 @@
 #include "byte_sink.h"
 #include "cdfr/contour/mesh.h"
 #include "cdfr/export/write.h"
+#include "field_report.h"
 #include "json_report.h"
 #include "number_text.h"
 #include "output_target.h"
@@ -46,9 +47,7 @@ Json places_json(const ContourMeshReport& report) {
 
 Json surface_json(const SurfaceRequest& request, const Input& input, const ContourMeshReport& report,
                   double seconds) {
-  Json json = begin_report(request.input, input.unit);
-  json["sign"] = sign_text(input.field.sign());
-  json["audit"] = json_of(input.field.report());
+  Json json = begin_field_report(request.input, input);
   json["distance"] = request.distance;
   json["tolerance"] = report.tolerance;
   json["triangles"] = report.triangles;

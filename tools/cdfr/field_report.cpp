@@ -63,6 +63,13 @@ std::vector<std::vector<std::string>> level_rows(const Stats& stats) {
 
 }  // namespace
 
+Json begin_field_report(const std::string& name, const Input& input) {
+  Json report = begin_report(name, input.unit);
+  report["sign"] = sign_text(input.field.sign());
+  report["audit"] = json_of(input.field.report());
+  return report;
+}
+
 Json field_json(const std::string& name, const Input& input) {
   const Stats stats = input.field.stats();
   Json report = begin_report(name, input.unit);

@@ -8,6 +8,7 @@
 
 #include "audit_report.h"
 #include "cdfr/field/grid.h"
+#include "field_report.h"
 #include "grid_file.h"
 #include "input.h"
 #include "json_report.h"
@@ -86,9 +87,7 @@ Summary answer(const Arguments& arguments, const Field& field, const Grid& grid)
 }
 
 Json grid_json(const Arguments& arguments, const Input& input, const Grid& grid, const Summary& summary) {
-  Json report = begin_report(arguments.input, input.unit);
-  report["sign"] = sign_text(input.field.sign());
-  report["audit"] = json_of(input.field.report());
+  Json report = begin_field_report(arguments.input, input);
   report["grid"] = {
       {"origin", json_of(grid.origin)}, {"spacing", json_of(grid.spacing)}, {"size", grid.size}};
   report["samples"] = grid.count();

@@ -41,7 +41,7 @@ std::string deepest_text(const Deepest& d, const std::string& unit) {
 }
 
 Json deepest_json(const Deepest& d) {
-  return {{"depth", d.depth}, {"error", d.error}, {"point", {d.point.x, d.point.y, d.point.z}}};
+  return {{"depth", d.depth}, {"error", d.error}, {"point", json_of(d.point)}};
 }
 
 void info(const Arguments& arguments) {

@@ -10,6 +10,7 @@
 #include "audit_report.h"
 #include "byte_sink.h"
 #include "cdfr/mesh/read.h"
+#include "field_report.h"
 #include "input.h"
 #include "json_report.h"
 #include "number_text.h"
@@ -73,9 +74,7 @@ Summary answer(const Arguments& arguments, const Field& field, std::span<const V
 }
 
 Json query_json(const Arguments& arguments, const Input& input, const Summary& summary) {
-  Json report = begin_report(arguments.input, input.unit);
-  report["sign"] = sign_text(input.field.sign());
-  report["audit"] = json_of(input.field.report());
+  Json report = begin_field_report(arguments.input, input);
   report["points"] = summary.points;
   report["inside"] = summary.inside;
   report["distance"] = nullptr;
