@@ -26,30 +26,36 @@ class CriticalDescent {
         floor_(floor),
         marked_(marked),
         progress_(progress),
-        rounding_(point_rounding(std::max(largest_magnitude(field.bounds().lo),
-                                          largest_magnitude(field.bounds().hi)))) {}
+        rounding_(point_rounding(
+            std::max(largest_magnitude(field.bounds().lo), largest_magnitude(field.bounds().hi)))) {}
 
-  /// `among`: slots of the triangles that can be closest in the cell, or null if nothing is known.
-  void run(const Cell& cell, const std::vector<std::uint32_t>* among) {
-    const Cube cube{field_.tree.lattice.box(cell).lo, field_.tree.lattice.size(cell.level)};
-    const double depth = -signed_distance(field_, cube.centre());
-    const double radius = cube.half_diagonal() + rounding_;
-    if (depth + radius <= floor_) return;
-    std::vector<std::uint32_t> slots;
-    const bool known = look(cube, std::fabs(depth), among, slots);
-    if (known && common_direction(away_, radius).least > radius) return;
-    if (cell.level == level_) {
-      found_.push_back({key_of(cell), depth, !known || touches(slots)});
-      return;
-    }
-    if (!progress_.poll()) return;
-    for (int child = 0; child < 8; ++child) run(child_of(cell, child), known ? &slots : nullptr);
-  }
+  void run(const Cell& cell) { run(cell, nullptr, false); }
   std::vector<CriticalCell>& found() noexcept { return found_; }
 
  private:
-  /// The triangles that can be closest in the cube, and the vectors from their feet to its centre. False if they
-  /// are too many.
+  /// `among`: slots of the triangles that can be closest in the cell, or null if nothing is known. `inside`:
+  /// all of the cell is.
+  void run(const Cell& cell, const std::vector<std::uint32_t>* among, bool inside) {
+    const Cube cube{field_.tree.lattice.box(cell).lo, field_.tree.lattice.size(cell.level)};
+    const double radius = cube.half_diagonal() + rounding_;
+    double depth = inside ? 0 : -signed_distance(field_, cube.centre());
+    if (!inside && depth + radius <= floor_) return;
+    std::vector<std::uint32_t> slots;
+    const bool known = look(cube, std::fabs(depth), among, slots);
+    if (inside) depth = known ? distance_ : -signed_distance(field_, cube.centre());
+    if (depth + radius <= floor_) return;
+    if (known && common_direction(away_, radius).least > radius) return;
+    if (cell.level == level_) {
+      found_.push_back({key_of(cell), -signed_distance(field_, cube.centre()), !known || touches(slots)});
+      return;
+    }
+    if (!progress_.poll()) return;
+    for (int child = 0; child < 8; ++child)
+      run(child_of(cell, child), known ? &slots : nullptr, depth > radius);
+  }
+
+  /// The triangles that can be closest in the cube, the vectors from their feet to its centre, and the least
+  /// of their lengths. False if they are too many.
   bool look(const Cube& cube, double distance, const std::vector<std::uint32_t>* among,
             std::vector<std::uint32_t>& slots) {
     const Eigen::Vector3d centre = to_eigen(cube.centre());
@@ -57,9 +63,11 @@ class CriticalDescent {
                                         : near_triangles(field_, centre, cube.size, distance, near_);
     if (!known) return false;
     away_.clear();
+    distance_ = HUGE_VAL;
     for (const NearTriangle& near : near_) {
       slots.push_back(near.slot);
       away_.emplace_back(near.foot.gradient * near.foot.distance);
+      distance_ = std::min(distance_, near.foot.distance);
     }
     return true;
   }
@@ -75,6 +83,7 @@ class CriticalDescent {
   std::span<const std::uint8_t> marked_;
   Progress& progress_;
   double rounding_;
+  double distance_ = 0;
   std::vector<NearTriangle> near_;
   std::vector<Eigen::Vector3d> away_;
   std::vector<CriticalCell> found_;
@@ -108,9 +117,10 @@ CriticalCells critical_cells(const FieldData& field, int level, double floor,
   CriticalCells critical{level, field.tree.lattice.size(level), {}};
   const std::vector<Cell> tasks = task_cells(field.tree.lattice, std::min(level, task_level));
   std::vector<std::vector<CriticalCell>> found(tasks.size());
+  progress.phase(0.1, 0.5, static_cast<double>(tasks.size()));
   for_chunks(tasks.size(), 1, [&](std::size_t i, std::size_t) {
     CriticalDescent descent(field, level, floor, marked, progress);
-    descent.run(tasks[i], nullptr);
+    descent.run(tasks[i]);
     found[i] = std::move(descent.found());
     progress.step();
   });

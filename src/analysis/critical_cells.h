@@ -1,15 +1,16 @@
 /// Where the depth can have a critical point: the cells in which the part's balls cannot grow by moving.
 ///
-/// The depth is the least of the distances to the triangles. A point x is critical if no direction takes it away
-/// from all triangles that are closest to it, that is if the origin lies in the convex hull of the vectors
-/// x - foot. Maxima of the depth, necks between them and middles of plates are critical; where no point is, the depth
-/// has no maximum and its level sets do not change their shape (Grove 1993, "Critical point theory for distance
-/// functions"; Lieutier 2004, "Any open bounded subset of R^n has the same homotopy type as its medial axis").
+/// The depth is the least of the distances to the triangles. A point x is critical if no direction takes it
+/// away from all triangles that are closest to it, that is if the origin lies in the convex hull of the
+/// vectors x - foot. Maxima of the depth, necks between them and middles of plates are critical; where no
+/// point is, the depth has no maximum and its level sets do not change their shape (Grove 1993, "Critical
+/// point theory for distance functions"; Lieutier 2004, "Any open bounded subset of R^n has the same homotopy
+/// type as its medial axis").
 ///
-/// A cell of centre c and half diagonal h has no critical point if some direction u has w.u > h for all w = c - foot
-/// of the triangles that can be closest in the cell (near_triangles.h): the map x -> x - foot(x, T) changes by at
-/// most |x - c| since T is convex, so from any point of the cell all of them go along u. Cells are halved until that
-/// proves it, or until their half diagonal is half the error.
+/// A cell of centre c and half diagonal h has no critical point if some direction u has w.u > h for all w = c
+/// - foot of the triangles that can be closest in the cell (near_triangles.h): the map x -> x - foot(x, T)
+/// changes by at most |x - c| since T is convex, so from any point of the cell all of them go along u. Cells
+/// are halved until that proves it, or until their half diagonal is half the error.
 #pragma once
 
 #include <array>
@@ -43,9 +44,9 @@ struct CriticalCells {
 /// The level whose cells have half a diagonal of at most error / 2; above deepest_level if there is none.
 int level_of_error(const Lattice& lattice, double error) noexcept;
 
-/// All cells of that level that may hold a critical point deeper than `floor`. `marked` has a byte for each slot, or
-/// is empty. Preconditions: the field is signed and its sign changes on the surface alone; floor is at least a cell's
-/// diagonal. Runs in the caller's task arena; empty if cancelled.
+/// All cells of that level that may hold a critical point deeper than `floor`. `marked` has a byte for each
+/// slot, or is empty. Preconditions: the field is signed and its sign changes on the surface alone; floor is
+/// at least a cell's diagonal. Runs in the caller's task arena; empty if cancelled.
 CriticalCells critical_cells(const FieldData& field, int level, double floor,
                              std::span<const std::uint8_t> marked, Progress& progress);
 

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t none = CriticalCells::none;
 constexpr std::size_t cells_a_chunk = 256;
+constexpr double straight_down = 0.9;
 
 /// Calls visit(neighbour) for each cell of the lattice that shares a side with it.
 template <class Visit>
@@ -133,12 +134,34 @@ void hand_down_feeds(std::vector<DepthPeak>& peaks, const CriticalCells& critica
   std::vector<std::size_t> order(peaks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto depth = [&](std::size_t i) { return critical.cells[i].depth; };
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return depth(a) != depth(b) ? depth(a) > depth(b) : a < b;
-  });
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return depth(a) != depth(b) ? depth(a) > depth(b) : a < b; });
   for (const std::size_t i : order) {
     DepthPeak& peak = peaks[i];
     if (peak.feed == none && peak.elder != none) peak.feed = peaks[peak.elder].feed;
+  }
+}
+
+/// From the centre of a cell that is not critical, for those critical ones beside it that do not lie straight
+/// above: the depth has slope 1 at most, so where it falls by nearly a cell's edge from one to the other the
+/// way up leads back.
+void climb_from(const FieldData& field, const CriticalCells& critical, const Cell& cell, double floor,
+                Ascent& ascent, Progress& progress, std::vector<DepthLink>& links) {
+  const Vec3 centre = field.tree.lattice.centre(cell);
+  const double depth = -signed_distance(field, centre);
+  if (!(depth > floor)) return;
+  std::vector<std::size_t> starts;
+  for_each_beside(field.tree.lattice, cell, [&](const Cell& beside) {
+    const std::size_t number = critical.find(key_of(beside));
+    if (number != none && critical.cells[number].depth - depth < straight_down * critical.size)
+      starts.push_back(number);
+  });
+  if (starts.empty()) return;
+  const std::size_t top = ascent.climb(to_eigen(centre), depth, progress);
+  if (top == none) return;
+  for (const std::size_t number : starts) {
+    const double least = std::min({depth, critical.cells[number].depth, critical.cells[top].depth});
+    if (number != top) links.push_back({number, top, least});
   }
 }
 
@@ -149,21 +172,11 @@ std::vector<DepthLink> links_up(const FieldData& field, const CriticalCells& cri
   const Lattice& lattice = field.tree.lattice;
   const std::vector<std::uint64_t> border = border_of(lattice, critical);
   std::vector<std::vector<DepthLink>> found((border.size() + cells_a_chunk - 1) / cells_a_chunk);
+  progress.phase(0.5, 0.8, static_cast<double>(found.size()));
   for_chunks(border.size(), cells_a_chunk, [&](std::size_t first, std::size_t end) {
     Ascent ascent(field, critical);
     for (std::size_t i = first; i < end && progress.poll(); ++i) {
-      const Cell cell = cell_of(border[i]);
-      const Vec3 centre = lattice.centre(cell);
-      const double depth = -signed_distance(field, centre);
-      if (!(depth > floor)) continue;
-      const std::size_t top = ascent.climb(to_eigen(centre), depth, progress);
-      if (top == none) continue;
-      for_each_beside(lattice, cell, [&](const Cell& beside) {
-        const std::size_t number = critical.find(key_of(beside));
-        if (number == none || number == top) return;
-        const double least = std::min({depth, critical.cells[number].depth, critical.cells[top].depth});
-        found[first / cells_a_chunk].push_back({number, top, least});
-      });
+      climb_from(field, critical, cell_of(border[i]), floor, ascent, progress, found[first / cells_a_chunk]);
     }
     progress.step();
   });
@@ -179,7 +192,8 @@ std::vector<DepthPeak> depth_tree(const CriticalCells& critical, std::span<const
   const auto depth = [&](std::size_t cell) { return critical.cells[cell].depth; };
   // The elder of a prominent peak is more prominent, so that no name is lost here.
   std::erase_if(peaks, [&](const DepthPeak& peak) {
-    return peak.neck != none && !(depth(peak.cell) - depth(peak.neck) > prominence);
+    const double neck = peak.neck == none ? 0 : depth(peak.neck);
+    return !(depth(peak.cell) - neck > prominence);
   });
   std::sort(peaks.begin(), peaks.end(), [&](const DepthPeak& a, const DepthPeak& b) {
     return depth(a.cell) != depth(b.cell) ? depth(a.cell) > depth(b.cell) : a.cell < b.cell;

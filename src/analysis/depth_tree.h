@@ -1,15 +1,16 @@
 /// The merge tree of depth: which deep places there are, and how deep the necks between them.
 ///
-/// As a level sinks from the deepest point to the floor, {depth > level} gains a component at each local maximum,
-/// and two become one at each neck. Both happen at critical points alone, so the tree is one over the critical
-/// cells: neighbours are joined, and so is each cell at the border of a cluster with the one that the way up from
-/// there ends in (ascent.h). Components are kept by union-find; of two that meet, the shallower one ends and its
-/// maximum's prominence is its depth above the neck (the elder rule, Edelsbrunner, Letscher, Zomorodian 2002).
+/// As a level sinks from the deepest point to the floor, {depth > level} gains a component at each local
+/// maximum, and two become one at each neck. Both happen at critical points alone, so the tree is one over
+/// the critical cells: neighbours are joined, and so is each cell at the border of a cluster with the one
+/// that the way up from there ends in (ascent.h). Components are kept by union-find; of two that meet, the
+/// shallower one ends and its maximum's prominence is its depth above the neck (the elder rule, Edelsbrunner,
+/// Letscher, Zomorodian 2002).
 ///
-/// **What is certain.** Cells have half a diagonal of at most error / 2, so every maximum deeper than the floor lies
-/// in a critical cell, whose centre is no more than error / 2 shallower. A join is a path whose depth is known along
-/// it: the neck is at least as deep as stated, less the error. That no better path was missed rests on the ways up
-/// that start at the clusters' borders, one a cell's side.
+/// **What is certain.** Cells have half a diagonal of at most error / 2, so every maximum deeper than the
+/// floor lies in a critical cell, whose centre is no more than error / 2 shallower. A join is a path whose
+/// depth is known along it: the neck is at least as deep as stated, less the error. That no better path was
+/// missed rests on the ways up that start at the clusters' borders, one a cell's side.
 #pragma once
 
 #include <cstddef>

@@ -12,9 +12,9 @@
 #include "core/floating_environment.h"
 #include "core/parallel.h"
 #include "core/progress.h"
+#include "core/vector.h"
 #include "field/deepest.h"
 #include "field/near_triangles.h"
-#include "core/vector.h"
 #include "geometry/box_distance.h"
 #include "geometry/query_range.h"
 
@@ -36,11 +36,11 @@ class HotSpotSearch {
     if (Result<void> taken = take_options(); !taken) return taken.error();
     // Nothing is deep enough for a hot spot of that prominence.
     if (!(deepest_.depth > 0)) return found_;
-    progress_.phase(0.1, 0.5, 1);
-    critical_ = critical_cells(field_, level_, found_.prominence, marked(), progress_);
+    // Walls thinner than the error do not lead anywhere.
+    const double floor = found_.error;
+    critical_ = critical_cells(field_, level_, floor, marked(), progress_);
     found_.critical_cells = critical_.cells.size();
-    progress_.phase(0.5, 0.9, 1);
-    const std::vector<DepthLink> links = links_up(field_, critical_, found_.prominence, progress_);
+    const std::vector<DepthLink> links = links_up(field_, critical_, floor, progress_);
     if (!progress_.poll()) return ended();
     peaks_ = depth_tree(critical_, links, found_.prominence);
     describe();
@@ -75,7 +75,8 @@ class HotSpotSearch {
     std::vector<std::uint8_t> marks(field_.triangles.size());
     for (std::uint32_t slot = 0; slot < marks.size(); ++slot) {
       const std::uint32_t patch = field_.triangles.exact[slot].patch;
-      marks[slot] = std::find(options_.feeders.begin(), options_.feeders.end(), patch) != options_.feeders.end();
+      marks[slot] =
+          std::find(options_.feeders.begin(), options_.feeders.end(), patch) != options_.feeders.end();
     }
     return marks;
   }
@@ -90,7 +91,7 @@ class HotSpotSearch {
 
   void describe() {
     found_.spots.resize(peaks_.size());
-    progress_.phase(0.9, 1, static_cast<double>(peaks_.size()));
+    progress_.phase(0.8, 1, static_cast<double>(peaks_.size()));
     for_chunks(peaks_.size(), 1, [&](std::size_t i, std::size_t) {
       if (!progress_.poll()) return;
       found_.spots[i] = spot(peaks_[i]);
@@ -150,7 +151,8 @@ class HotSpotSearch {
     std::vector<NearTriangle> near;
     std::vector<std::uint32_t> numbers;
     // Of a cell with half a diagonal of the error: what is within radius + 2 errors.
-    near_triangles(field_, to_eigen(ball.centre), ball.error / Cube{{}, 1}.half_diagonal(), ball.radius, near);
+    near_triangles(field_, to_eigen(ball.centre), ball.error / Cube{{}, 1}.half_diagonal(), ball.radius,
+                   near);
     for (const NearTriangle& t : near) {
       if (t.foot.distance <= ball.radius + 2 * ball.error)
         numbers.push_back(field_.triangles.records[t.slot].number);
@@ -190,7 +192,8 @@ class HotSpotSearch {
 Result<void> check(const FieldData& field, const HotSpotOptions& options) {
   const auto is_size = [](double v) { return v >= 0 && std::isfinite(v); };
   if (!is_size(options.error)) return Error{Code::bad_option, 0, "error must be 0 or more and finite"};
-  if (!is_size(options.prominence)) return Error{Code::bad_option, 0, "prominence must be 0 or more and finite"};
+  if (!is_size(options.prominence))
+    return Error{Code::bad_option, 0, "prominence must be 0 or more and finite"};
   if (field.sign == Sign::none)
     return Error{Code::not_closed, 0, "an unsigned field has no inside: no hot spots"};
   if (!field.winding.empty())
