@@ -25,8 +25,8 @@ class HotSpotsOf : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(HotSpotsOf, AreTheBallsOfTheShape) {
   const Shape shape = shapes(chord)[GetParam()];
-  const double error = 0.1;
-  const HotSpots found = hot_spots(field_of(shape.mesh), {.error = error, .prominence = 0.3}).value();
+  const double error = 0.2;
+  const HotSpots found = hot_spots(field_of(shape.mesh), {.error = error, .prominence = 0.4}).value();
   ASSERT_EQ(found.spots.size(), shape.balls.size()) << shape.name;
   for (std::size_t i = 0; i < found.spots.size(); ++i) {
     const HotSpot& spot = found.spots[i];
