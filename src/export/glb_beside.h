@@ -10,10 +10,10 @@ namespace cdfr {
 void add_balls(const PaintedMesh& painted, const Frame& frame, GlbScene& scene);
 
 /// The ramp as an upright bar on the part's right, with five values, and with grey below if a value is
-/// missing. Nothing if no array is painted. `ink` is the material of text.
-void add_legend(const PaintedMesh& painted, const Frame& frame, int ink, GlbScene& scene);
+/// missing. Nothing if no array is painted.
+void add_legend(const PaintedMesh& painted, const Frame& frame, GlbScene& scene);
 
 /// Lines of text on the part's left, the one of the highest place on top, each with a thin line to its place.
-void add_labels(const PaintedMesh& painted, const Frame& frame, int ink, GlbScene& scene);
+void add_labels(const PaintedMesh& painted, const Frame& frame, GlbScene& scene);
 
 }  // namespace cdfr

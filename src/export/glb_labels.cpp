@@ -26,10 +26,11 @@ std::vector<std::size_t> order_of(const std::vector<PaintedLabel>& labels) {
   return order;
 }
 
-void add_label(const PaintedLabel& label, const Frame& frame, double y, int ink, GlbScene& scene) {
+void add_label(const PaintedLabel& label, const Frame& frame, double y, GlbScene& scene) {
   const double height = letter_share * frame.diagonal();
   const double right = frame.box().lo.x - 2 * height;
   const std::string text = text_line(label.text);
+  const int ink = add_ink(scene);
   Lettering letters(height, 0);
   letters.write(text, right - letters.width(text), y);
   const std::array<Float3, 2> line{
@@ -50,11 +51,11 @@ void add_label(const PaintedLabel& label, const Frame& frame, double y, int ink,
 
 }  // namespace
 
-void add_labels(const PaintedMesh& painted, const Frame& frame, int ink, GlbScene& scene) {
+void add_labels(const PaintedMesh& painted, const Frame& frame, GlbScene& scene) {
   const double step = pitch * letter_share * frame.diagonal();
   double y = step * (static_cast<double>(painted.labels.size()) / 2 - 1);
   for (const std::size_t i : order_of(painted.labels)) {
-    add_label(painted.labels[i], frame, y, ink, scene);
+    add_label(painted.labels[i], frame, y, scene);
     y -= step;
   }
 }

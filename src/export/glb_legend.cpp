@@ -94,7 +94,7 @@ int add_bar_material(GlbScene& scene) {
 
 }  // namespace
 
-void add_legend(const PaintedMesh& painted, const Frame& frame, int ink, GlbScene& scene) {
+void add_legend(const PaintedMesh& painted, const Frame& frame, GlbScene& scene) {
   if (!Paint(painted).any()) return;
   const double letter = letter_share * frame.diagonal(), width = 1.5 * letter;
   const double height = frame.diagonal() / 2;
@@ -113,7 +113,7 @@ void add_legend(const PaintedMesh& painted, const Frame& frame, int ink, GlbScen
     letters.write("no value", right + letter, bar.level(0) - letter - width / 2 - letter / 2);
   }
   const Json text = {{"attributes", {{"POSITION", scene.add_positions(letters.corners())}}},
-                     {"material", ink},
+                     {"material", add_ink(scene)},
                      {"mode", triangles_mode}};
   const Json primitives = Json::array({bar.primitive(add_bar_material(scene), scene), text});
   scene.add_node({{"name", "legend"}, {"mesh", scene.add_mesh(primitives)}});

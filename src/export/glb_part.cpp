@@ -1,6 +1,7 @@
 #include "export/glb_part.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -53,7 +54,7 @@ Json GlbPart::positions(int view) const {
 }
 
 void GlbPart::declare(int material, GlbScene& scene) const {
-  if (empty()) return;
+  assert(!empty());
   const int view = scene.add_later_view(vertices() * stride(), stride(), vertex_target);
   const Json of_all = {
       {"bufferView", view}, {"componentType", float_component}, {"count", vertices()}, {"type", "VEC3"}};

@@ -20,6 +20,7 @@ class GlbPart {
 
   /// Without its JSON; a mesh without triangles takes none.
   std::uint64_t bytes() const noexcept { return vertices() * stride() + index_bytes(); }
+  /// Precondition: there is a triangle.
   void declare(int material, GlbScene& scene) const;
   /// The views that declare() left for later.
   Result<void> write(WholeFile& file) const;

@@ -76,6 +76,12 @@ int GlbScene::add_later_view(std::uint64_t bytes, std::uint32_t stride, int targ
   return later_views_.back();
 }
 
+int GlbScene::add_material(const Json& material) {
+  const Json& known = lists_["materials"];
+  const auto same = std::find(known.begin(), known.end(), material);
+  return same != known.end() ? static_cast<int>(same - known.begin()) : add("materials", material);
+}
+
 int GlbScene::add_mesh(const Json& primitives) { return add("meshes", {{"primitives", primitives}}); }
 
 void GlbScene::add_node(Json node) { nodes_.push_back(add("nodes", std::move(node))); }
@@ -87,8 +93,8 @@ void GlbScene::place_later_views() {
   }
 }
 
-Result<void> GlbScene::write(Json asset, Json root_node, WholeFile& file) {
-  place_later_views();
+/// Padded to a multiple of four with blanks, as the format wants it.
+std::string GlbScene::json_text(Json asset, Json root_node, std::uint64_t binary) {
   Json root;
   root["asset"] = std::move(asset);
   root["extensionsUsed"] = Json::array({"KHR_materials_unlit"});
@@ -99,10 +105,16 @@ Result<void> GlbScene::write(Json asset, Json root_node, WholeFile& file) {
     root["scenes"][0]["nodes"] = Json::array({add("nodes", std::move(root_node))});
   }
   root.update(lists_);
-  const std::uint64_t binary = bytes_.size() + later_bytes_;
   if (binary > 0) root["buffers"] = Json::array({{{"byteLength", binary}}});
   std::string text = root.dump(-1, ' ', false, Json::error_handler_t::replace);
   text.resize((text.size() + 3) / 4 * 4, ' ');
+  return text;
+}
+
+Result<void> GlbScene::write(Json asset, Json root_node, WholeFile& file) {
+  place_later_views();
+  const std::uint64_t binary = bytes_.size() + later_bytes_;
+  const std::string text = json_text(std::move(asset), std::move(root_node), binary);
   const std::uint64_t bytes = json_start + text.size() + (binary > 0 ? chunk_header_bytes + binary : 0);
   if (auto checked = check_glb_bytes(bytes); !checked) return checked;
 

@@ -25,13 +25,13 @@ class GlbScene {
   /// A view of bytes that do not lie in memory: they follow all others, in the order of these calls.
   int add_later_view(std::uint64_t bytes, std::uint32_t stride, int target);
   int add_accessor(Json accessor) { return add("accessors", std::move(accessor)); }
-  int add_material(Json material) { return add("materials", std::move(material)); }
+  int add_material(const Json& material);  ///< the same one twice is one
   int add_mesh(const Json& primitives);
   /// It hangs under the root.
   void add_node(Json node);
 
-  /// Sizes, header, JSON and the bytes in memory; what was to come later is the caller's to append. Error:
-  /// file_write beyond 4 GiB.
+  /// Once, last. Sizes, header, JSON and the bytes in memory; what was to come later is the caller's to
+  /// append. Error: file_write beyond 4 GiB.
   Result<void> write(Json asset, Json root_node, WholeFile& file);
 
  private:
@@ -39,6 +39,7 @@ class GlbScene {
   int add_view(std::span<const std::byte> bytes, int target);
   int add_vectors(std::span<const glb::Float3> vectors, Json accessor);
   void place_later_views();
+  std::string json_text(Json asset, Json root_node, std::uint64_t binary);
 
   Json lists_ = Json::object();  ///< accessors, bufferViews, ...
   std::vector<std::byte> bytes_;

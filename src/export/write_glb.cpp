@@ -6,7 +6,6 @@
 #include "export/glb_beside.h"
 #include "export/glb_part.h"
 #include "export/glb_scene.h"
-#include "export/lettering.h"
 #include "export/painted_formats.h"
 #include "export/text_line.h"
 
@@ -55,11 +54,10 @@ Result<void> write_glb(const PaintedMesh& painted, double metres_per_unit, Whole
   GlbScene scene;
   const GlbPart part(painted, frame);
   if (!frame.empty()) {
-    part.declare(add_part_material(painted, scene), scene);
+    if (!painted.mesh.triangles.empty()) part.declare(add_part_material(painted, scene), scene);
     add_balls(painted, frame, scene);
-    const int ink = add_ink(scene);
-    add_legend(painted, frame, ink, scene);
-    add_labels(painted, frame, ink, scene);
+    add_legend(painted, frame, scene);
+    add_labels(painted, frame, scene);
   }
   const Json root = {{"name", "cdfr"}, {"translation", {x, y, z}}, {"scale", {scale, scale, scale}}};
   if (auto written = scene.write(asset_of(painted), root, file); !written) return written;
