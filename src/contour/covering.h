@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "contour/near_triangles.h"
+#include "field/near_triangles.h"
 #include "field/field_data.h"
 
 namespace cdfr {

@@ -28,7 +28,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "contour/near_triangles.h"
+#include "field/near_triangles.h"
 
 namespace cdfr {
 

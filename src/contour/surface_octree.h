@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "contour/flatness.h"
-#include "contour/near_triangles.h"
+#include "field/near_triangles.h"
 #include "contour/sought.h"
 #include "contour/surface_lattice.h"
 #include "core/progress.h"

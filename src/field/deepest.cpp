@@ -45,14 +45,22 @@ class DeepestSearch {
   DeepestSearch(const FieldData& field, double error, Progress& progress)
       : field_(field), error_(error), progress_(progress), rounding_(rounding_in(field.bounds())) {}
 
-  Result<Deepest> run() {
+  void add_leaves() {
     progress_.phase(0, 0.5, static_cast<double>(field_.tree.block_count()));
     for (const std::vector<Looked>& block : looked_leaves()) {
       for (const Looked& leaf : block) better(leaf);
-      leaves_.insert(leaves_.end(), block.begin(), block.end());
+      first_.insert(first_.end(), block.begin(), block.end());
     }
-    for (const Looked& leaf : leaves_) keep(leaf.at);
-    leaves_.clear();
+  }
+
+  void add(const Cube& cube) {
+    first_.push_back(look(cube));
+    better(first_.back());
+  }
+
+  Result<Deepest> run() {
+    for (const Looked& looked : first_) keep(looked.at);
+    first_.clear();
     while (!open_.empty() && progress_.poll()) {
       const BoundedCube cube = open_.top();
       open_.pop();
@@ -132,7 +140,7 @@ class DeepestSearch {
   Progress& progress_;
   double rounding_;
   Deepest best_;
-  std::vector<Looked> leaves_;
+  std::vector<Looked> first_;
   std::priority_queue<BoundedCube> open_;
   std::uint64_t next_ = 0;
   double closed_ = 0;  ///< largest bound of a cube that is not looked into any more
@@ -141,7 +149,16 @@ class DeepestSearch {
 }  // namespace
 
 Result<Deepest> deepest_point(const FieldData& field, double error, Progress& progress) {
-  return DeepestSearch(field, error, progress).run();
+  DeepestSearch search(field, error, progress);
+  search.add_leaves();
+  return search.run();
+}
+
+Result<Deepest> deepest_among(const FieldData& field, std::span<const Cube> cubes, double error,
+                              Progress& progress) {
+  DeepestSearch search(field, error, progress);
+  for (const Cube& cube : cubes) search.add(cube);
+  return search.run();
 }
 
 }  // namespace cdfr

@@ -1,10 +1,13 @@
 /// The deepest point inside a part: the centre of the largest ball that fits in.
 #pragma once
 
+#include <span>
+
 #include "cdfr/core/result.h"
 #include "cdfr/field/field.h"
 #include "core/progress.h"
 #include "field/field_data.h"
+#include "geometry/cube.h"
 
 namespace cdfr {
 
@@ -19,5 +22,9 @@ namespace cdfr {
 ///
 /// Precondition: the field is signed. Runs in the caller's task arena.
 Result<Deepest> deepest_point(const FieldData& field, double error, Progress& progress);
+
+/// The deepest point of these cubes.
+Result<Deepest> deepest_among(const FieldData& field, std::span<const Cube> cubes, double error,
+                              Progress& progress);
 
 }  // namespace cdfr

@@ -1,4 +1,4 @@
-#include "contour/plain_foot.h"
+#include "geometry/plain_foot.h"
 
 #include <Eigen/Geometry>
 

@@ -1,12 +1,12 @@
-#include "contour/near_triangles.h"
+#include "field/near_triangles.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "contour/surface_lattice.h"
 #include "core/vector.h"
 #include "geometry/box_distance.h"
+#include "geometry/cube.h"
 
 namespace cdfr {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr double rounding_share = 0x1p-36;
 
 double radius_of(double distance, double size) noexcept {
-  return (distance + 2 * half_diagonal(size)) * (1 + rounding_share);
+  return (distance + 2 * Cube{{}, size}.half_diagonal()) * (1 + rounding_share);
 }
 
 /// Drops what the closest one's foot dominates at all corners.

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "contour/plain_foot.h"
+#include "geometry/plain_foot.h"
 #include "field/field_data.h"
 
 namespace cdfr {

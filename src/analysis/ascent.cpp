@@ -1,0 +1,74 @@
+#include "analysis/ascent.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/common_direction.h"
+#include "core/vector.h"
+#include "field/query.h"
+#include "geometry/cube.h"
+
+namespace cdfr {
+namespace {
+
+/// A way across a part of a thousand cells takes fewer.
+constexpr int most_steps = 4096;
+/// Of a step, beside a critical point.
+constexpr int most_halvings = 6;
+
+}  // namespace
+
+double Ascent::depth_at(const Eigen::Vector3d& x) const noexcept {
+  return -signed_distance(field_, from_eigen(x));
+}
+
+std::size_t Ascent::cell_at(const Eigen::Vector3d& x) const noexcept {
+  const Vec3& origin = field_.tree.lattice.origin;
+  const auto place = [&](double at, double from) {
+    return static_cast<std::uint32_t>(std::floor((at - from) / critical_.size));
+  };
+  return critical_.find(
+      key_of({critical_.level, {place(x.x(), origin.x), place(x.y(), origin.y), place(x.z(), origin.z)}}));
+}
+
+/// The way on from x, for a step of that length; zero where there is none. What can be closest within the
+/// step can be so in the cube of twice its size.
+Eigen::Vector3d Ascent::way_up(const Eigen::Vector3d& x, double depth, double step) {
+  if (!near_triangles(field_, x, 2 * step, depth, near_)) return Eigen::Vector3d::Zero();
+  away_.clear();
+  for (const NearTriangle& near : near_) away_.emplace_back(near.foot.gradient * near.foot.distance);
+  return common_direction(away_, 0).direction;
+}
+
+/// From x one step on, the shorter the closer x is to being critical. False where no step goes up.
+bool Ascent::step_up(Eigen::Vector3d& x, double& depth) {
+  for (int halving = 0; halving <= most_halvings; ++halving) {
+    double length = std::ldexp(critical_.size, -halving);
+    const Eigen::Vector3d up = way_up(x, depth, length);
+    if (up.isZero(0)) continue;
+    double next = depth_at(x + up * length);
+    if (!(next > depth)) continue;
+    for (double longer = 2 * length; longer < depth; longer *= 2) {
+      if (cell_at(x + up * length) != CriticalCells::none) break;
+      const double there = depth_at(x + up * longer);
+      if (!(there > next)) break;
+      length = longer;
+      next = there;
+    }
+    x += up * length;
+    depth = next;
+    return true;
+  }
+  return false;
+}
+
+std::size_t Ascent::climb(const Eigen::Vector3d& start, double depth, Progress& progress) {
+  Eigen::Vector3d x = start;
+  for (int step = 0; step < most_steps && progress.poll(); ++step) {
+    if (const std::size_t cell = cell_at(x); cell != CriticalCells::none) return cell;
+    if (!step_up(x, depth)) break;
+  }
+  return CriticalCells::none;
+}
+
+}  // namespace cdfr

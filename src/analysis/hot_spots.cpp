@@ -1,0 +1,217 @@
+#include "cdfr/analysis/hot_spots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
+
+#include "analysis/critical_cells.h"
+#include "analysis/depth_tree.h"
+#include "analysis/sphere_depth.h"
+#include "core/floating_environment.h"
+#include "core/parallel.h"
+#include "core/progress.h"
+#include "core/vector.h"
+#include "field/deepest.h"
+#include "field/near_triangles.h"
+#include "geometry/box_distance.h"
+#include "geometry/query_range.h"
+
+namespace cdfr {
+namespace {
+
+constexpr double default_share = 1.0 / 20;  ///< of the greatest depth
+/// A ball is known so much better than necks are.
+constexpr double ball_share = 1.0 / 64;
+/// Peaks of more cells that are about as deep, such as the middle of a plate, keep the error of their cells.
+constexpr std::size_t most_top_cells = 4096;
+
+class HotSpotSearch {
+ public:
+  HotSpotSearch(const FieldData& field, const HotSpotOptions& options, Progress& progress)
+      : field_(field), options_(options), progress_(progress) {}
+
+  Result<HotSpots> run() {
+    if (Result<void> taken = take_options(); !taken) return taken.error();
+    // Nothing is deep enough for a hot spot of that prominence.
+    if (!(deepest_.depth > 0)) return found_;
+    // Walls thinner than the error do not lead anywhere.
+    const double floor = found_.error;
+    critical_ = critical_cells(field_, level_, floor, marked(), progress_);
+    found_.critical_cells = critical_.cells.size();
+    const std::vector<DepthLink> links = links_up(field_, critical_, floor, progress_);
+    if (!progress_.poll()) return ended();
+    peaks_ = depth_tree(critical_, links, found_.prominence);
+    describe();
+    if (!progress_.poll()) return ended();
+    return found_;
+  }
+
+ private:
+  Error ended() const { return field_.failed() ? field_.status().error() : Progress::error(); }
+
+  Result<void> take_options() {
+    const double longest = longest_side(field_.bounds());
+    Result<Deepest> deepest = deepest_point(field_, longest / 1000, progress_);
+    if (!deepest) return deepest.error();
+    deepest_ = *deepest;
+    const double share = deepest_.depth * default_share;
+    found_.error = options_.error > 0 ? options_.error : std::max(longest / 1000, share);
+    found_.prominence = options_.prominence > 0 ? options_.prominence : std::max(2 * found_.error, share);
+    level_ = level_of_error(field_.tree.lattice, found_.error);
+    const double rounding = point_rounding(
+        std::max(largest_magnitude(field_.bounds().lo), largest_magnitude(field_.bounds().hi)));
+    if (level_ > deepest_level || found_.error < 64 * rounding)
+      return Error{Code::bad_option, 0, "error is too small for this part's size"};
+    if (found_.prominence < 2 * found_.error)
+      return Error{Code::bad_option, 0, "prominence must be at least twice the error"};
+    return {};
+  }
+
+  /// By slot; empty if there is no feeder.
+  std::vector<std::uint8_t> marked() const {
+    if (options_.feeders.empty()) return {};
+    std::vector<std::uint8_t> marks(field_.triangles.size());
+    for (std::uint32_t slot = 0; slot < marks.size(); ++slot) {
+      const std::uint32_t patch = field_.triangles.exact[slot].patch;
+      marks[slot] =
+          std::find(options_.feeders.begin(), options_.feeders.end(), patch) != options_.feeders.end();
+    }
+    return marks;
+  }
+
+  Cube cube_of(std::size_t cell) const noexcept {
+    return {field_.tree.lattice.box(cell_of(critical_.cells[cell].key)).lo, critical_.size};
+  }
+
+  Neck neck_at(std::size_t cell) const noexcept {
+    return {cube_of(cell).centre(), critical_.cells[cell].depth, found_.error};
+  }
+
+  void describe() {
+    found_.spots.resize(peaks_.size());
+    progress_.phase(0.8, 1, static_cast<double>(peaks_.size()));
+    for_chunks(peaks_.size(), 1, [&](std::size_t i, std::size_t) {
+      if (!progress_.poll()) return;
+      found_.spots[i] = spot(peaks_[i]);
+      progress_.step();
+    });
+    order();
+  }
+
+  HotSpot spot(const DepthPeak& peak) {
+    HotSpot spot;
+    spot.ball = ball_of(peak.cell);
+    spot.prominence = spot.ball.radius;
+    if (peak.neck != DepthPeak::none) {
+      spot.neck = neck_at(peak.neck);
+      spot.prominence -= spot.neck.radius;
+      const auto elder = std::find_if(peaks_.begin(), peaks_.end(),
+                                      [&](const DepthPeak& other) { return other.cell == peak.elder; });
+      spot.towards = static_cast<std::size_t>(elder - peaks_.begin());
+    }
+    spot.wall = depth_on_sphere(field_, spot.ball.centre, 2 * spot.ball.radius, found_.error, progress_);
+    spot.isolation = spot.wall > 0 ? spot.ball.radius / spot.wall : std::numeric_limits<double>::infinity();
+    if (peak.feed != DepthPeak::none) {
+      spot.fed = true;
+      spot.feed = neck_at(peak.feed);
+    }
+    return spot;
+  }
+
+  /// Critical cells that touch each other from the peak on and may hold a deeper point than its centre.
+  std::vector<Cube> top_of(std::size_t peak) const {
+    const double least = critical_.cells[peak].depth - found_.error / 2;
+    std::vector<std::size_t> reached{peak};
+    std::set<std::size_t> met{peak};
+    for (std::size_t i = 0; i < reached.size() && reached.size() <= most_top_cells; ++i) {
+      for_each_touching(critical_, cell_of(critical_.cells[reached[i]].key), [&](std::size_t beside) {
+        if (critical_.cells[beside].depth >= least && met.insert(beside).second) reached.push_back(beside);
+      });
+    }
+    std::vector<Cube> cubes;
+    if (reached.size() > most_top_cells) return cubes;
+    for (const std::size_t cell : reached) cubes.push_back(cube_of(cell));
+    return cubes;
+  }
+
+  InscribedBall ball_of(std::size_t peak) {
+    InscribedBall ball{cube_of(peak).centre(), critical_.cells[peak].depth, found_.error / 2, {}};
+    const std::vector<Cube> top = top_of(peak);
+    if (!top.empty()) {
+      const Result<Deepest> deepest = deepest_among(field_, top, found_.error * ball_share, progress_);
+      if (deepest && deepest->depth > 0) ball = {deepest->point, deepest->depth, deepest->error, {}};
+    }
+    ball.touches = touched_by(ball);
+    return ball;
+  }
+
+  std::vector<std::uint32_t> touched_by(const InscribedBall& ball) const {
+    std::vector<NearTriangle> near;
+    std::vector<std::uint32_t> numbers;
+    // Of a cell with half a diagonal of the error: what is within radius + 2 errors.
+    near_triangles(field_, to_eigen(ball.centre), ball.error / Cube{{}, 1}.half_diagonal(), ball.radius,
+                   near);
+    for (const NearTriangle& t : near) {
+      if (t.foot.distance <= ball.radius + 2 * ball.error)
+        numbers.push_back(field_.triangles.records[t.slot].number);
+    }
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+  }
+
+  /// By the balls, which are better known than the cells that the peaks were ordered by.
+  void order() {
+    std::vector<std::size_t> by_radius(found_.spots.size()), place(found_.spots.size());
+    for (std::size_t i = 0; i < by_radius.size(); ++i) by_radius[i] = i;
+    std::stable_sort(by_radius.begin(), by_radius.end(), [&](std::size_t a, std::size_t b) {
+      return found_.spots[a].ball.radius > found_.spots[b].ball.radius;
+    });
+    std::vector<HotSpot> sorted;
+    for (std::size_t i = 0; i < by_radius.size(); ++i) {
+      place[by_radius[i]] = i;
+      sorted.push_back(std::move(found_.spots[by_radius[i]]));
+    }
+    for (HotSpot& spot : sorted) {
+      if (spot.towards != HotSpot::none) spot.towards = place[spot.towards];
+    }
+    found_.spots = std::move(sorted);
+  }
+
+  const FieldData& field_;
+  const HotSpotOptions& options_;
+  Progress& progress_;
+  Deepest deepest_;
+  int level_ = 0;
+  CriticalCells critical_;
+  std::vector<DepthPeak> peaks_;
+  HotSpots found_;
+};
+
+Result<void> check(const FieldData& field, const HotSpotOptions& options) {
+  const auto is_size = [](double v) { return v >= 0 && std::isfinite(v); };
+  if (!is_size(options.error)) return Error{Code::bad_option, 0, "error must be 0 or more and finite"};
+  if (!is_size(options.prominence))
+    return Error{Code::bad_option, 0, "prominence must be 0 or more and finite"};
+  if (field.sign == Sign::none)
+    return Error{Code::not_closed, 0, "an unsigned field has no inside: no hot spots"};
+  if (!field.winding.empty())
+    return Error{Code::not_closed, 0, "the mesh is open, so depth jumps off its surface: no hot spots"};
+  return {};
+}
+
+}  // namespace
+
+Result<HotSpots> hot_spots(const Field& field, const HotSpotOptions& options, const Run& run) {
+  const FieldData& data = field.data();
+  if (Result<void> good = check(data, options); !good) return good.error();
+  const FloatingEnvironment environment;
+  Progress progress(run);
+  progress.watch(data.map.get());
+  Result<HotSpots> spots = Progress::error();
+  with_threads(run, [&] { spots = HotSpotSearch(data, options, progress).run(); });
+  return spots;
+}
+
+}  // namespace cdfr
