@@ -1,7 +1,5 @@
 #include "export/vtk_arrays.h"
 
-#include <string_view>
-
 #include "export/number_text.h"
 
 namespace cdfr {
@@ -15,9 +13,9 @@ std::string quoted(const std::string& key, const std::string& value) {
 
 std::string VtkArrays::add_bytes(const std::string& element, const std::string& type, const std::string& name,
                                  int components, std::uint64_t bytes, Write write) {
-  const std::string text = "<" + element + quoted("type", type) + quoted("Name", name) +
-                           quoted("NumberOfComponents", std::to_string(components)) +
-                           quoted("format", "appended") + quoted("offset", std::to_string(offset_)) + "/>\n";
+  std::string text = "<" + element + quoted("type", type) + quoted("Name", name) +
+                     quoted("NumberOfComponents", std::to_string(components)) + quoted("format", "appended") +
+                     quoted("offset", std::to_string(offset_)) + "/>\n";
   offset_ += sizeof bytes + bytes;
   arrays_.emplace_back(bytes, std::move(write));
   return text;
@@ -29,7 +27,7 @@ std::string VtkArrays::add_strings(const std::string& name, std::uint64_t blanks
   for (const std::string& text : texts) ends += text + '\0';
   const std::uint64_t bytes = blanks + ends.size();
   const auto write = [blanks, ends = std::move(ends)](WholeFile& file) -> Result<void> {
-    constexpr std::string_view zero("", 1);
+    const std::string zero(1, '\0');
     for (std::uint64_t i = 0; i < blanks; ++i) {
       if (auto written = file.write(zero); !written) return written;
     }

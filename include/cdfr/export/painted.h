@@ -21,7 +21,8 @@ enum class ArrayPlace : std::uint8_t { vertex, face };
 /// One number for each vertex or each triangle; NaN where there is none. Borrowed.
 struct MeshArray {
   /// A letter or underscore, then letters, digits and underscores, at most 63 in all; no two alike, and none
-  /// that a format needs itself (x, y, z, red, green, blue, patch, colour, radius, label, vertex_indices).
+  /// that a format needs itself (x, y, z, red, green, blue, alpha, patch, colour, radius, label,
+  /// vertex_indices).
   std::string name;
   ArrayPlace place = ArrayPlace::vertex;
   std::span<const double> values;
