@@ -9,16 +9,21 @@ namespace {
 
 /// The bits of a place that belong to x.
 constexpr std::uint64_t bits_of_x = 0x1249249249249249;
+/// Half the edge of the deepest cells, in edges of the lattice.
+constexpr double deepest_half = 1.0 / (std::uint64_t{2} << deepest_level);
 /// Cells a bucket, about.
 constexpr std::size_t bucket_size = 4;
 
-Vec3 centre_of(const HeavyCell& cell) noexcept {
-  const Cell at = cell_of(cell.key);
-  const double size = std::ldexp(1.0, -at.level);
-  return {(at.place[0] + 0.5) * size, (at.place[1] + 0.5) * size, (at.place[2] + 0.5) * size};
+/// Every third bit, together.
+double gathered(std::uint64_t bits) noexcept {
+  bits &= bits_of_x;
+  bits = (bits | bits >> 2) & 0x10c30c30c30c30c3;
+  bits = (bits | bits >> 4) & 0x100f00f00f00f00f;
+  bits = (bits | bits >> 8) & 0x001f0000ff0000ff;
+  bits = (bits | bits >> 16) & 0x001f00000000ffff;
+  bits = (bits | bits >> 32) & 0x1fffff;
+  return static_cast<double>(bits);
 }
-
-double half_of(const HeavyCell& cell) noexcept { return Span::of(cell.key).half(); }
 
 double& component(Vec3& v, int axis) noexcept { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -31,11 +36,34 @@ bool may_be_deep(const HeavyCell& cell, const Vec3& middle, double half, int axi
   return most > 0;
 }
 
-bool is_sure(const HeavyCell& cell, const Vec3& y) noexcept { return cell.at(y) - double{cell.below} > 0; }
-
 }  // namespace
 
-Touch touch_of(const HeavyCell& small, const HeavyCell& large) noexcept {
+double half_of(const HeavyCell& cell) noexcept {
+  return static_cast<double>(std::uint64_t{1} << (deepest_level - Span::of(cell.key).level)) * deepest_half;
+}
+
+Vec3 centre_of(const HeavyCell& cell) noexcept {
+  const std::uint64_t first = Span::of(cell.key).first;
+  const double half = half_of(cell), place = 2 * deepest_half;
+  return {gathered(first) * place + half, gathered(first >> 1) * place + half,
+          gathered(first >> 2) * place + half};
+}
+
+bool has_core(const CoreRule& rule, const HeavyCell& cell) noexcept {
+  return rule.core_point(cell, half_of(cell)).over > 0;
+}
+
+bool cores_join(const CoreRule& rule, const HeavyCell& a, const HeavyCell& b) noexcept {
+  const CorePoint from = rule.core_point(a, half_of(a)), to = rule.core_point(b, half_of(b));
+  if (!(from.over > 0) || !(to.over > 0)) return false;
+  const Vec3 c = centre_of(a), d = centre_of(b);
+  const double x = d.x + to.y.x - c.x - from.y.x, y = d.y + to.y.y - c.y - from.y.y,
+               z = d.z + to.y.z - c.z - from.y.z;
+  return rule.joins(from.over, to.over, x * x + y * y + z * z);
+}
+
+Touch touch_of(const CoreRule& rule, const HeavyCell& small, const HeavyCell& large) noexcept {
+  if (cores_join(rule, small, large)) return Touch::certain;
   const Vec3 a = centre_of(small), b = centre_of(large);
   const double half = half_of(small), apart = half + half_of(large);
   Vec3 away{b.x - a.x, b.y - a.y, b.z - a.z};
@@ -44,19 +72,8 @@ Touch touch_of(const HeavyCell& small, const HeavyCell& large) noexcept {
   const double step = component(away, axis) > 0 ? half : -half;
   component(from_a, axis) += step;
   component(from_b, axis) += step;
-  if (!may_be_deep(small, from_a, half, axis) || !may_be_deep(large, from_b, half, axis)) return Touch::none;
-  // Where the first one's sure part reaches into the face farthest, and the second one's, and in the middle.
-  for (const HeavyCell* steep : {&small, &large, static_cast<const HeavyCell*>(nullptr)}) {
-    Vec3 y = from_a, z = from_b;
-    for (int other = 0; other < 3 && steep != nullptr; ++other) {
-      if (other == axis) continue;
-      const double move = std::copysign(half, double{steep->gradient[other]});
-      component(y, other) += move;
-      component(z, other) += move;
-    }
-    if (is_sure(small, y) && is_sure(large, z)) return Touch::certain;
-  }
-  return Touch::possible;
+  const bool both = may_be_deep(small, from_a, half, axis) && may_be_deep(large, from_b, half, axis);
+  return both ? Touch::possible : Touch::none;
 }
 
 CellIndex::CellIndex(std::span<const HeavyCell> cells) : cells_(cells) {
@@ -75,9 +92,11 @@ CellIndex::CellIndex(std::span<const HeavyCell> cells) : cells_(cells) {
 std::size_t CellIndex::end_at(std::uint64_t place) const noexcept {
   if (cells_.empty() || place < first_) return 0;
   const std::uint64_t bucket = std::min<std::uint64_t>((place - first_) >> shift_, bucket_.size() - 2);
-  std::size_t end = bucket_[bucket + 1];
-  while (end > bucket_[bucket] && Span::of(cells_[end - 1].key).first > place) --end;
-  return end;
+  const auto begin = cells_.begin() + bucket_[bucket], end = cells_.begin() + bucket_[bucket + 1];
+  const auto after = std::upper_bound(begin, end, place, [](std::uint64_t p, const HeavyCell& cell) {
+    return p < Span::of(cell.key).first;
+  });
+  return static_cast<std::size_t>(after - cells_.begin());
 }
 
 std::size_t CellIndex::at(std::uint64_t place) const noexcept {

@@ -25,18 +25,23 @@ struct Span {
   }
   /// Places on the deepest level that it covers.
   std::uint64_t size() const noexcept { return std::uint64_t{1} << (3 * (deepest_level - level)); }
-  /// Half its edge, in edges of the lattice.
-  double half() const noexcept { return std::ldexp(0.5, -level); }
 };
+
+/// In edges of the lattice, the centre from its origin.
+double half_of(const HeavyCell& cell) noexcept;
+Vec3 centre_of(const HeavyCell& cell) noexcept;
 
 enum class Touch : std::uint8_t {
   none,  ///< no point of the face that they share is deeper than T
   possible,
-  certain  ///< their sure parts meet on it
+  certain  ///< a way from one to the other is all deeper than T
 };
 
 /// Of two cells that share a face, the first one's, no larger than the second one's.
-Touch touch_of(const HeavyCell& small, const HeavyCell& large) noexcept;
+Touch touch_of(const CoreRule& rule, const HeavyCell& small, const HeavyCell& large) noexcept;
+/// Is the way between the core points of any two cells all deeper than T?
+bool cores_join(const CoreRule& rule, const HeavyCell& a, const HeavyCell& b) noexcept;
+bool has_core(const CoreRule& rule, const HeavyCell& cell) noexcept;
 
 class CellIndex {
  public:

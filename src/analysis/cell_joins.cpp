@@ -15,12 +15,12 @@ void make_unique(std::vector<std::uint32_t>& numbers) {
 
 }  // namespace
 
-CellJoins join_cells(std::span<const HeavyCell> cells, const CellIndex& index, Progress& progress) {
+CellJoins join_cells(const CoreRule& rule, std::span<const HeavyCell> cells, const CellIndex& index, Progress& progress) {
   CellJoins joins{DisjointSets(cells.size()), {}};
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (i % cells_a_poll == 0 && !progress.poll()) return joins;
     index.for_each_neighbour(i, [&](std::size_t a, std::size_t b) {
-      const Touch touch = touch_of(cells[a], cells[b]);
+      const Touch touch = touch_of(rule, cells[a], cells[b]);
       if (touch == Touch::certain) joins.cores.join(a, b);
       if (touch != Touch::possible || joins.cores.root(a) == joins.cores.root(b)) return;
       joins.doubts.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});

@@ -1,7 +1,8 @@
 /// Which cells belong together: for certain, or perhaps.
 ///
-/// A core is a set of cells whose sure parts hang together, so it lies in one component of {depth > T}. Two
-/// cells whose possible parts reach a common face without that their sure parts meet there are a doubt. All
+/// A core is a set of cells whose core points hang together by straight ways, all deeper than T, so it lies in one
+/// component of {depth > T}. Two
+/// cells whose possible parts reach a common face without such a way are a doubt. All
 /// of a component of {depth > T} lies in cells that are linked by cores and doubts, as its points on a face
 /// between two cells lie in the possible parts of both.
 #pragma once
@@ -29,7 +30,7 @@ struct CellJoins {
   std::vector<Doubt> doubts;  ///< between different sets
 };
 
-CellJoins join_cells(std::span<const HeavyCell> cells, const CellIndex& index, Progress& progress);
+CellJoins join_cells(const CoreRule& rule, std::span<const HeavyCell> cells, const CellIndex& index, Progress& progress);
 
 /// Cells without a core that are linked by doubts, and the cores that they touch.
 struct DoubtCluster {

@@ -39,9 +39,47 @@ struct HeavyCell {
   double most(double half) const noexcept { return double{over} + swing(half) + double{above}; }
   /// All of the cube is deeper than T.
   bool is_inner(double half) const noexcept { return double{over} - swing(half) - double{below} > 0; }
-  /// Some point of it surely is.
-  bool has_core(double half) const noexcept { return double{over} + swing(half) - double{below} > 0; }
 };
 static_assert(sizeof(HeavyCell) == 32);
+
+/// A point of a cell that is surely deeper than T.
+struct CorePoint {
+  Vec3 y;           ///< from the cell's centre, in edges of the lattice
+  double over = 0;  ///< its depth is above T by that at least; not above 0 if there is no such point
+};
+
+/// T in edges of the lattice, and when two cells surely hang together.
+class CoreRule {
+ public:
+  CoreRule(const Threshold& threshold, const Lattice& lattice) noexcept
+      : depth_(threshold.depth / lattice.edge),
+        rounding_(threshold.rounding / lattice.edge),
+        jumps_(threshold.jumps) {}
+
+  /// The centre, if it is deep enough itself: its depth is `over` but for rounding. Else where the sure part reaches
+  /// deepest, unless the sign jumps: then ways have to stay in the two cells, which those between centres do.
+  CorePoint core_point(const HeavyCell& cell, double half) const noexcept {
+    const double own = double{cell.over} * (1 - 0x1p-20) - rounding_;
+    if (own > 0 || jumps_) return {{}, own};
+    const auto corner = [&](int axis) { return std::copysign(half, double{cell.gradient[axis]}); };
+    return {{corner(0), corner(1), corner(2)}, double{cell.over} + cell.swing(half) - double{cell.below}};
+  }
+
+  /// Is the straight way between two points, `apart` from each other, all deeper than T? Their depths are above T by a
+  /// and b. The squared distance to any set less |x|^2 is concave (octree/influence.h), so at the share t of the way
+  ///     d^2 >= (1 - t) d_a^2 + t d_b^2 - t (1 - t) apart^2,
+  /// of which the least value is taken. Between equal depths the way is deeper than T where a > apart^2 / (8 T).
+  bool joins(double a, double b, double squared_apart) const noexcept {
+    if (!(a > 0) || !(b > 0)) return false;
+    const double from = a * (2 * depth_ + a), to = b * (2 * depth_ + b);
+    const double t = (squared_apart + from - to) / 2;
+    if (t <= 0 || t >= squared_apart) return true;
+    return from * squared_apart * (1 - 0x1p-40) > t * t;
+  }
+
+ private:
+  double depth_, rounding_;
+  bool jumps_;
+};
 
 }  // namespace cdfr

@@ -22,8 +22,8 @@ constexpr std::size_t most_paired = 12;
 constexpr double least_share = 0x1p-20;
 
 double sum_of_sizes(const Vec3& v) noexcept { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
-Vec3 difference(const Vec3& a, const Vec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vec3 sum(const Vec3& a, const Vec3& b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+Vec3 minus(const Vec3& a, const Vec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Vec3 plus(const Vec3& a, const Vec3& b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 
 /// As a float that is no less. Precondition: v >= 0.
 float rounded_up(double v) noexcept { return static_cast<float>(v * (1 + 0x1p-22)); }
@@ -156,14 +156,14 @@ void HeavyDescent::see(std::size_t point, double size, std::span<const std::uint
   seen.fate = fate_of(seen.outlook, above, h);
   if (seen.fate == Fate::drop || above != Sided::open) return;
   const Vec3 c = centres_.point(point);
-  seen.sided = side_at(sum(middle_, c), seen.outlook.distance, h);
+  seen.sided = side_at(plus(middle_, c), seen.outlook.distance, h);
   seen.fate = fate_of(seen.outlook, seen.sided, h);
 }
 
 void HeavyDescent::descend(const Cell& cell, const Seen& seen) {
   const Cube cube = cube_of(cell);
   centres_.count = 0;
-  for (int child = 0; child < 8; ++child) centres_.add(difference(cube.octant(child).centre(), middle_));
+  for (int child = 0; child < 8; ++child) centres_.add(minus(cube.octant(child).centre(), middle_));
   measure(seen.numbers);
   Octants& octants = levels_[static_cast<std::size_t>(cell.level + 1)];
   for (std::size_t child = 0; child < 8; ++child)
@@ -227,7 +227,7 @@ HeavyDescent::Outlook HeavyDescent::outlook(std::size_t point, double size,
     const double own = eights_[k].distance[point];
     if (is_far) {
       const Vec3 g_k = gradient(k, point);
-      const double lower = a * sum_of_sizes(difference(g_k, g)) - (own - d);
+      const double lower = a * sum_of_sizes(minus(g_k, g)) - (own - d);
       o.below = std::max(o.below, lower);
       o.least = std::min(o.least, own - a * sum_of_sizes(g_k));
       if (lower >= -o.above - slack) kept.push_back(numbers[k]);
@@ -278,7 +278,7 @@ double HeavyDescent::most_between(std::size_t point, double size,
     uppers[k] = {eights_[k].distance[point] + rise(k, point, numbers[k], h), gradient(k, point)};
     for (std::size_t j = 0; j < k; ++j) {
       const double mean = (uppers[j].middle + uppers[k].middle) / 2 +
-                          a * sum_of_sizes(sum(uppers[j].gradient, uppers[k].gradient)) / 2;
+                          a * sum_of_sizes(plus(uppers[j].gradient, uppers[k].gradient)) / 2;
       most = std::min(most, mean);
     }
   }
@@ -301,11 +301,11 @@ void HeavyDescent::put(const Cell& cell, const Seen& seen) {
   const bool is_inner = seen.sided == Sided::inside && o.least > threshold_.depth;
   if (is_inner) o = {o.distance, {}, o.distance - o.least, o.most - o.distance, o.least, o.most};
   if (seen.sided == Sided::open) {
-    // Only the centre's own depth is sure, and where the sign jumps not even that goes for what is around it.
-    const double h = Cube{{}, 2 * a}.half_diagonal() + threshold_.rounding / 4;
+    // Of such a cell only the centre's own depth is sure, and where the sign jumps nothing is.
+    const double h = Cube{{}, 2 * a}.half_diagonal() + threshold_.rounding / 4, most = o.distance + h;
     if (!threshold_.jumps) o.distance = -signed_distance(field_, cube_of(cell).centre());
     o = {o.distance, {}, h, h, o.distance - h, o.distance + h};
-    if (threshold_.jumps) o.below = std::max(h, o.distance - threshold_.depth);
+    if (threshold_.jumps) o = {threshold_.depth - h, {}, h, most - threshold_.depth + h, 0, most};
     if (o.most <= threshold_.depth + threshold_.rounding) return;
   }
   HeavyCell kept{key_of(cell)};

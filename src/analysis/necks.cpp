@@ -15,37 +15,13 @@ constexpr int most_rounds = 5;
 /// Cubes that may be looked at in one round.
 constexpr std::size_t most_halved = std::size_t{1} << 16;
 
-double half_of(const HeavyCell& cell) noexcept { return Span::of(cell.key).half(); }
-
-Vec3 centre_of(const HeavyCell& cell) noexcept {
-  const Cell at = cell_of(cell.key);
-  const double edge = 2 * half_of(cell);
-  return {(at.place[0] + 0.5) * edge, (at.place[1] + 0.5) * edge, (at.place[2] + 0.5) * edge};
-}
-
-/// Do the sure parts of a cell and of an octant of it, or of that, have a corner or the middle of the octant
-/// in common?
-bool meet_within(const HeavyCell& whole, const HeavyCell& part) noexcept {
-  const Vec3 a = centre_of(whole), b = centre_of(part);
-  const double half = half_of(part);
-  for (int corner = 0; corner < 9; ++corner) {
-    const double step = corner < 8 ? half : 0;
-    const Vec3 y{corner & 1 ? step : -step, corner & 2 ? step : -step, corner & 4 ? step : -step};
-    const Vec3 from{b.x - a.x + y.x, b.y - a.y + y.y, b.z - a.z + y.z};
-    if (part.at(y) - double{part.below} > 0 && whole.at(from) - double{whole.below} > 0) return true;
-  }
-  return false;
-}
-
 /// Cells in doubt, halved on top of the cells that were found first. A number below cells.size() is one of
 /// those, the others are halved ones.
 class Overlay {
  public:
   Overlay(const FieldData& field, const Threshold& threshold, std::span<const HeavyCell> cells,
           const CellIndex& index, CellJoins& joins)
-      : field_(field),
-        threshold_(threshold),
-        cells_(cells),
+      : field_(field), threshold_(threshold), rule_(threshold, field.tree.lattice), cells_(cells),
         index_(index),
         joins_(joins),
         doubts_(joins.doubts) {}
@@ -79,7 +55,7 @@ class Overlay {
   /// than one cell all have cores.
   std::uint32_t core_of(std::uint32_t i) noexcept {
     const std::uint32_t r = root(i);
-    return r < cells_.size() && cells_[r].has_core(half_of(cells_[r])) ? r : no_index;
+    return r < cells_.size() && has_core(rule_, cells_[r]) ? r : no_index;
   }
 
   std::vector<DoubtCluster> clusters() {
@@ -118,7 +94,7 @@ class Overlay {
       const auto number = static_cast<std::uint32_t>(joins_.cores.add());
       halved_.push_back(octant);
       by_place_[Span::of(octant.key).first] = number;
-      if (meet_within(whole, octant)) joins_.cores.join(i, number);
+      if (cores_join(rule_, whole, octant)) joins_.cores.join(i, number);
       made.push_back(number);
     }
     return true;
@@ -128,7 +104,7 @@ class Overlay {
   void link(std::uint32_t i) {
     for (const std::uint32_t j : neighbours(i)) {
       const bool is_smaller = half_of(cell(i)) <= half_of(cell(j));
-      const Touch touch = is_smaller ? touch_of(cell(i), cell(j)) : touch_of(cell(j), cell(i));
+      const Touch touch = is_smaller ? touch_of(rule_, cell(i), cell(j)) : touch_of(rule_, cell(j), cell(i));
       if (touch == Touch::certain) joins_.cores.join(i, j);
       if (touch == Touch::possible) doubts_.push_back({i, j});
     }
@@ -198,6 +174,7 @@ class Overlay {
 
   const FieldData& field_;
   const Threshold& threshold_;
+  CoreRule rule_;
   std::span<const HeavyCell> cells_;
   const CellIndex& index_;
   CellJoins& joins_;

@@ -35,11 +35,11 @@ void make_unique(std::vector<std::uint32_t>& numbers) {
 
 }  // namespace
 
-void SectionMeasure::add(const HeavyCell& cell) {
-  const double half = Span::of(cell.key).half();
+void SectionMeasure::add(const CoreRule& rule, const HeavyCell& cell) {
+  const double half = half_of(cell);
   ++cells_;
   extend(cell, half);
-  if (cell.has_core(half)) deepest_ = std::max(deepest_, double{cell.over});
+  deepest_ = std::max(deepest_, rule.core_point(cell, half).over);
   if (cell.is_inner(half)) {
     sure_ += 8 * half * half * half;
     possible_ += 8 * half * half * half;
@@ -61,7 +61,7 @@ void SectionMeasure::add(const HeavyCell& cell) {
 }
 
 void SectionMeasure::add_doubtful(const HeavyCell& cell) {
-  const double half = Span::of(cell.key).half();
+  const double half = half_of(cell);
   possible_ += cut_cube(way_of(cell), double{cell.over} + double{cell.above}, half).volume;
   cut_ += 8 * half * half * half;
 }
@@ -80,7 +80,7 @@ void SectionMeasure::extend(const HeavyCell& cell, double half) {
   double* const lo[3] = {&box_.lo.x, &box_.lo.y, &box_.lo.z};
   double* const hi[3] = {&box_.hi.x, &box_.hi.y, &box_.hi.z};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double centre = (2 * double{at.place[axis]} + 1) * half;
+    const double centre = (2.0 * at.place[axis] + 1) * half;
     const Reach reach = reach_along(high, cell, axis, half);
     *lo[axis] = std::min(*lo[axis], centre + reach.lo);
     *hi[axis] = std::max(*hi[axis], centre + reach.hi);

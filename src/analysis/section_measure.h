@@ -16,7 +16,7 @@ namespace cdfr {
 
 class SectionMeasure {
  public:
-  void add(const HeavyCell& cell);
+  void add(const CoreRule& rule, const HeavyCell& cell);
   /// A cell that may belong to the section or to another one.
   void add_doubtful(const HeavyCell& cell);
   /// The triangle of that number in the input bounds it.
@@ -25,7 +25,7 @@ class SectionMeasure {
   /// All but the ball.
   Section section(const Lattice& lattice);
 
-  /// Depth above T, in edges of the lattice, of the deepest centre whose depth is sure.
+  /// Depth above T, in edges of the lattice, of the deepest core point.
   double deepest() const noexcept { return deepest_; }
 
  private:

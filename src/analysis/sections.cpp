@@ -25,7 +25,7 @@ namespace cdfr {
 namespace {
 
 /// Shares of e: to which a cube may count as flat, and the ball's.
-constexpr double flat_share = 0.25, ball_share = 0.125;
+constexpr double flat_share = 0.5, ball_share = 0.125;
 /// Least e, as a share of the longest side: cells then leave some levels of the lattice to necks.
 constexpr double least_error = 0x1p-14;
 /// Cubes that may be halved to prove that a cluster of cells holds nothing deeper than T, and places listed
@@ -71,12 +71,12 @@ class SectionSearch {
   SectionSearch(const FieldData& field, const Threshold& threshold, const SectionsOptions& options,
                 Progress& progress)
       : field_(field),
-        threshold_(threshold),
+        threshold_(threshold), rule_(threshold, field.tree.lattice),
         options_(options),
         progress_(progress),
         found_(all_cells(field, threshold, progress)),
         index_(found_.cells),
-        joins_(join_cells(found_.cells, index_, progress)) {}
+        joins_(join_cells(rule_, found_.cells, index_, progress)) {}
 
   Result<Sections> run() {
     const std::vector<Doubt> doubts = joins_.doubts;
@@ -97,10 +97,9 @@ class SectionSearch {
  private:
   static constexpr std::uint32_t none = no_index;
 
-  double half_of(std::uint32_t i) const noexcept { return Span::of(found_.cells[i].key).half(); }
-  std::uint32_t core_of(std::uint32_t i) noexcept {
+    std::uint32_t core_of(std::uint32_t i) noexcept {
     const auto root = static_cast<std::uint32_t>(joins_.cores.root(i));
-    return found_.cells[root].has_core(half_of(root)) ? root : none;
+    return has_core(rule_, found_.cells[root]) ? root : none;
   }
   Cube cube_of(std::uint32_t i) const noexcept {
     const Lattice& lattice = field_.tree.lattice;
@@ -150,7 +149,7 @@ class SectionSearch {
   void measure(const std::vector<Doubt>& doubts) {
     measures_.resize(count_);
     for (std::uint32_t i = 0; i < section_of_.size(); ++i) {
-      if (section_of_[i] != none) measures_[section_of_[i]].add(found_.cells[i]);
+      if (section_of_[i] != none) measures_[section_of_[i]].add(rule_, found_.cells[i]);
     }
     // What lies between different sections may belong to each of them.
     for (const DoubtCluster& cluster : clusters_) {
@@ -178,7 +177,7 @@ class SectionSearch {
     for (std::uint32_t i = 0; i < section_of_.size(); ++i) {
       if (section_of_[i] == none) continue;
       const double best = measures_[section_of_[i]].deepest();
-      if (found_.cells[i].most(half_of(i)) >= best * (1 - 0x1p-20)) deep[section_of_[i]].push_back(i);
+      if (found_.cells[i].most(half_of(found_.cells[i])) >= best * (1 - 0x1p-20)) deep[section_of_[i]].push_back(i);
     }
     progress_.phase(0.8, 1, static_cast<double>(count_));
     sections_.sections.resize(count_);
@@ -230,6 +229,7 @@ class SectionSearch {
 
   const FieldData& field_;
   const Threshold& threshold_;
+  CoreRule rule_;
   const SectionsOptions& options_;
   Progress& progress_;
   HeavyCells found_;
