@@ -58,12 +58,6 @@ class HeavyDescent {
 
  private:
   enum class Sided : std::uint8_t { open, inside, outside };
-  /// Eight points' distances from one triangle.
-  struct Eight {
-    std::array<double, 8> distance;
-    std::array<std::array<double, 8>, 3> away;
-    std::array<double, 8> place;
-  };
   /// What is known of a cube.
   struct Outlook {
     double distance = 0;  ///< of the centre
@@ -91,13 +85,14 @@ class HeavyDescent {
   void descend_blind(const Cell& cell, Sided sided);
   void measure(std::span<const std::uint16_t> numbers);
   void see(std::size_t point, double size, std::span<const std::uint16_t> numbers, Sided above, Seen& seen);
+  void compare(double size, std::span<const std::uint16_t> numbers);
   Outlook outlook(std::size_t point, double size, std::span<const std::uint16_t> numbers,
                   std::vector<std::uint16_t>& kept) const;
   double rise(std::size_t place, std::size_t point, std::uint16_t number,
               double half_diagonal) const noexcept;
   double most_between(std::size_t point, double size, std::span<const std::uint16_t> numbers) const noexcept;
   Vec3 gradient(std::size_t place, std::size_t point) const noexcept {
-    const Eight& eight = eights_[place];
+    const EightFeet& eight = eights_[place];
     return {eight.away[0][point], eight.away[1][point], eight.away[2][point]};
   }
   Outlook blind(const Cube& cube) const noexcept;
@@ -117,9 +112,11 @@ class HeavyDescent {
   std::vector<std::uint16_t> all_;
 
   // Of the cubes that are looked at: one, or the octants of one.
-  RegionPoints centres_;
-  Feet feet_;
-  std::vector<Eight> eights_;                                    ///< one for each of the numbers
+  RegionPoints centres_{};
+  std::vector<EightFeet> eights_;             ///< one for each of the numbers
+  std::vector<std::array<double, 8>> lower_;  ///< by how much its l_k may be below l_0
+  std::array<std::size_t, 8> first_{};        ///< the closest one's place among the numbers
+  std::array<double, 8> least_{};             ///< of all l_k in the cubes
   std::vector<Octants> levels_{std::size_t{deepest_level} + 2};  ///< by level, to keep their memory
 };
 
