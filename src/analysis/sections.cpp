@@ -97,10 +97,7 @@ class SectionSearch {
  private:
   static constexpr std::uint32_t none = no_index;
 
-    std::uint32_t core_of(std::uint32_t i) noexcept {
-    const auto root = static_cast<std::uint32_t>(joins_.cores.root(i));
-    return has_core(rule_, found_.cells[root]) ? root : none;
-  }
+    std::uint32_t core_of(std::uint32_t i) noexcept { return joins_.core_of(i); }
   Cube cube_of(std::uint32_t i) const noexcept {
     const Lattice& lattice = field_.tree.lattice;
     const Cell cell = cell_of(found_.cells[i].key);
@@ -164,9 +161,14 @@ class SectionSearch {
       measures_[section_of_[a]].add_doubtful(found_.cells[doubt.b]);
       measures_[section_of_[b]].add_doubtful(found_.cells[doubt.a]);
     }
+    // Neighbouring cells tell the same triangles: what was told last is kept by slot.
+    std::vector<CellTriangle> told(4096, {none, none});
     for (const CellTriangle& pair : found_.triangles) {
-      if (section_of_[pair.cell] != none)
-        measures_[section_of_[pair.cell]].add_triangle(field_.triangles.records[pair.slot].number);
+      const CellTriangle own{section_of_[pair.cell], pair.slot};
+      CellTriangle& last = told[own.slot % told.size()];
+      if (own.cell == none || (last.cell == own.cell && last.slot == own.slot)) continue;
+      last = own;
+      measures_[own.cell].add_triangle(field_.triangles.records[own.slot].number);
     }
     found_.triangles = {};
   }
