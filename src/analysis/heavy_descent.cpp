@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/vector.h"
+#include "analysis/cell_index.h"
 #include "field/block_sides.h"
 #include "field/query.h"
 #include "geometry/box_distance.h"
@@ -341,13 +341,18 @@ void HeavyDescent::put(const Cell& cell, const Seen& seen) {
   kept.below = rounded_up(o.below * scale + off);
   kept.above = rounded_up(o.above * scale + off);
   if (!is_inner) {
-    const auto number_of_cell = static_cast<std::uint32_t>(out_.cells.size());
-    for (const std::uint16_t number : seen.numbers)
-      out_.triangles.push_back({number_of_cell, slots_[number]});
-    if (seen.numbers.empty())
-      out_.triangles.push_back({number_of_cell, find_closest(field_, cube_of(cell).centre()).winner.slot});
+    for (const std::uint16_t number : seen.numbers) tell(slots_[number], kept);
+    if (seen.numbers.empty()) tell(find_closest(field_, cube_of(cell).centre()).winner.slot, kept);
   }
   out_.cells.push_back(kept);
+}
+
+/// Of the cell that comes next. One that surely hangs together with the last one told says nothing new.
+void HeavyDescent::tell(std::uint32_t slot, const HeavyCell& cell) {
+  CellTriangle& last = told_[slot % told_.size()];
+  if (last.slot == slot && cores_join(rule_, out_.cells[last.cell], cell)) return;
+  last = {static_cast<std::uint32_t>(out_.cells.size()), slot};
+  out_.triangles.push_back(last);
 }
 
 }  // namespace cdfr

@@ -35,7 +35,7 @@
 
 namespace cdfr {
 
-/// The triangle of that slot may be closest to a point of the cell.
+/// The triangle of that slot may be closest to a point of the cell, and of others that are surely of the same section.
 struct CellTriangle {
   std::uint32_t cell, slot;
 };
@@ -49,7 +49,7 @@ struct HeavyCells {
 class HeavyDescent {
  public:
   HeavyDescent(const FieldData& field, const Threshold& threshold, HeavyCells& out)
-      : field_(field), threshold_(threshold), out_(out) {}
+      : field_(field), threshold_(threshold), rule_(threshold, field.tree.lattice), out_(out) {}
 
   /// A leaf of the octree, or a cell in it, whose list is the leaf's.
   void run(const Cell& cell, std::span<const Entry> list, Side side);
@@ -98,11 +98,14 @@ class HeavyDescent {
   Outlook blind(const Cube& cube) const noexcept;
   Fate fate_of(const Outlook& outlook, Sided sided, double half_diagonal) const noexcept;
   void put(const Cell& cell, const Seen& seen);
+  void tell(std::uint32_t slot, const HeavyCell& cell);
   Cube cube_of(const Cell& cell) const noexcept;
 
   const FieldData& field_;
   const Threshold& threshold_;
+  CoreRule rule_;
   HeavyCells& out_;
+  std::vector<CellTriangle> told_ = std::vector<CellTriangle>(1024, {no_index, no_index});  ///< last, by slot
 
   // Of the list.
   Vec3 middle_;

@@ -161,14 +161,9 @@ class SectionSearch {
       measures_[section_of_[a]].add_doubtful(found_.cells[doubt.b]);
       measures_[section_of_[b]].add_doubtful(found_.cells[doubt.a]);
     }
-    // Neighbouring cells tell the same triangles: what was told last is kept by slot.
-    std::vector<CellTriangle> told(4096, {none, none});
     for (const CellTriangle& pair : found_.triangles) {
-      const CellTriangle own{section_of_[pair.cell], pair.slot};
-      CellTriangle& last = told[own.slot % told.size()];
-      if (own.cell == none || (last.cell == own.cell && last.slot == own.slot)) continue;
-      last = own;
-      measures_[own.cell].add_triangle(field_.triangles.records[own.slot].number);
+      if (section_of_[pair.cell] != none)
+        measures_[section_of_[pair.cell]].add_triangle(field_.triangles.records[pair.slot].number);
     }
     found_.triangles = {};
   }
