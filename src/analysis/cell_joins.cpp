@@ -77,7 +77,8 @@ class Territories {
 
 }  // namespace
 
-CellJoins join_cells(const CoreRule& rule, std::span<const HeavyCell> cells, const CellIndex& index, Progress& progress) {
+CellJoins join_cells(const CoreRule& rule, std::span<const HeavyCell> cells, const CellIndex& index,
+                     Progress& progress) {
   CellJoins joins{DisjointSets(cells.size()), {}, {}};
   joins.has_core.reserve(cells.size());
   for (const HeavyCell& cell : cells) joins.has_core.push_back(has_core(rule, cell));

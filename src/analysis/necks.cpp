@@ -22,7 +22,10 @@ class Overlay {
  public:
   Overlay(const FieldData& field, const Threshold& threshold, std::span<const HeavyCell> cells,
           const CellIndex& index, CellJoins& joins)
-      : field_(field), threshold_(threshold), rule_(threshold, field.tree.lattice), cells_(cells),
+      : field_(field),
+        threshold_(threshold),
+        rule_(threshold, field.tree.lattice),
+        cells_(cells),
         index_(index),
         joins_(joins),
         doubts_(joins.doubts) {}
@@ -158,7 +161,9 @@ class Overlay {
   /// Of each pair the place that lies deepest.
   void report() {
     std::vector<Seam> open = seams();
-    const auto over = [&](const Seam& seam) { return std::max(cell(seam.doubt.a).over, cell(seam.doubt.b).over); };
+    const auto over = [&](const Seam& seam) {
+      return std::max(cell(seam.doubt.a).over, cell(seam.doubt.b).over);
+    };
     std::stable_sort(open.begin(), open.end(), [&](const Seam& x, const Seam& y) {
       return std::tuple(x.first, x.second, -over(x)) < std::tuple(y.first, y.second, -over(y));
     });
