@@ -8,13 +8,13 @@
 
 #include "analysis/critical_cells.h"
 #include "analysis/depth_tree.h"
+#include "analysis/near_ball.h"
 #include "analysis/sphere_depth.h"
 #include "core/floating_environment.h"
 #include "core/parallel.h"
 #include "core/progress.h"
-#include "core/vector.h"
 #include "field/deepest.h"
-#include "field/near_triangles.h"
+#include "field/deepest_search.h"
 #include "geometry/box_distance.h"
 #include "geometry/query_range.h"
 
@@ -138,27 +138,15 @@ class HotSpotSearch {
 
   InscribedBall ball_of(std::size_t peak) {
     InscribedBall ball{cube_of(peak).centre(), critical_.cells[peak].depth, found_.error / 2, {}};
-    const std::vector<Cube> top = top_of(peak);
-    if (!top.empty()) {
-      const Result<Deepest> deepest = deepest_among(field_, top, found_.error * ball_share, progress_);
-      if (deepest && deepest->depth > 0) ball = {deepest->point, deepest->depth, deepest->error, {}};
+    if (const std::vector<Cube> top = top_of(peak); !top.empty()) {
+      DeepestSearch search(field_, {.error = found_.error * ball_share}, progress_);
+      std::vector<DeepestSearch::Looked> looked;
+      for (const Cube& cube : top) looked.push_back(search.look(cube));
+      const Deepest deepest = search.run(looked);
+      ball = {deepest.point, deepest.depth, deepest.error, {}};
     }
-    ball.touches = touched_by(ball);
+    ball.touches = triangles_within(field_, ball.centre, ball.radius + 2 * ball.error);
     return ball;
-  }
-
-  std::vector<std::uint32_t> touched_by(const InscribedBall& ball) const {
-    std::vector<NearTriangle> near;
-    std::vector<std::uint32_t> numbers;
-    // Of a cell with half a diagonal of the error: what is within radius + 2 errors.
-    near_triangles(field_, to_eigen(ball.centre), ball.error / Cube{{}, 1}.half_diagonal(), ball.radius,
-                   near);
-    for (const NearTriangle& t : near) {
-      if (t.foot.distance <= ball.radius + 2 * ball.error)
-        numbers.push_back(field_.triangles.records[t.slot].number);
-    }
-    std::sort(numbers.begin(), numbers.end());
-    return numbers;
   }
 
   /// By the balls, which are better known than the cells that the peaks were ordered by.

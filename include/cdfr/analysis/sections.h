@@ -40,7 +40,7 @@ struct Section {
 struct MayJoin {
   std::size_t first = 0, second = 0;  ///< places in Sections::sections, first < second
   Vec3 place;
-  double depth = 0;  ///< at that place; not above T by more than rounding
+  double depth = 0;  ///< at that place
 };
 
 struct Sections {
@@ -49,7 +49,7 @@ struct Sections {
   /// By the radius of the ball, the largest first.
   std::vector<Section> sections;
   std::vector<MayJoin> may_join;  ///< by first, second
-  std::vector<Vec3> undecided;    ///< places around which a tiny section may be: none deeper than T + e
+  std::vector<Vec3> undecided;    ///< places around which a tiny section may be: none deeper than T + 2 e
   std::uint64_t left_out = 0;     ///< sections below min_volume or min_depth
   std::uint64_t cells = 0;        ///< cubes kept at once at most
   std::uint64_t evaluations = 0;  ///< cubes whose depth was looked at
@@ -57,15 +57,15 @@ struct Sections {
 
 /// The connected components of {x : depth of x > depth}, by a descent over the field's leaves: cubes are
 /// halved until they are certainly inside, certainly outside, cut by what is flat to e / 4, or have a half
-/// diagonal of at most e. The comparison is strict; a section that is deeper than `depth` by less than 64 ulp
-/// of the largest coordinate is none. A component of cubes without a point deeper than `depth` is dropped, by
-/// proof. Where two sections only meet in cubes in doubt, these are halved further; what then remains open is
-/// told in may_join.
+/// diagonal of at most e. The comparison is strict; a section deeper than `depth` by no more than 512
+/// ulp of the largest coordinate is none. A component of cubes without a point deeper than `depth` is
+/// dropped, by proof. Where two sections only meet in cubes in doubt, these are halved further; what then
+/// remains open is told in may_join.
 ///
 /// On an open mesh sections end where the sign changes off the surface. Time and memory go with the sections'
 /// surface over e^2, not with the field. Same bits for any number of threads. Errors: bad_option (depth not
-/// finite or not above 0; error negative, not finite, below 2^-20 of the longest side or 1024 ulp of the
-/// largest coordinate; the others negative or NaN), not_closed (an unsigned field has no inside), cancelled;
+/// finite or not above 0; error not finite, below 2^-14 of the longest side or 2^14 ulp of the largest
+/// coordinate; the others negative or not finite), not_closed (an unsigned field has no inside), cancelled;
 /// status().
 CDFR_API Result<Sections> heavy_sections(const Field& field, double depth,
                                          const SectionsOptions& options = {}, const Run& run = {});
