@@ -51,7 +51,8 @@ void add_spot(const HotSpotsRequest& request, const Input& input, const HotSpots
             thickness_text(spot.ball, input.unit) + ", at " + short_text(spot.ball.centre));
   text.line("", isolation_text(spot, found.error, input.unit));
   if (spot.towards != HotSpot::none) {
-    text.line("", "neck towards " + std::to_string(spot.towards + 1) + ": " + neck_text(spot.neck, input.unit));
+    text.line("",
+              "neck towards " + std::to_string(spot.towards + 1) + ": " + neck_text(spot.neck, input.unit));
   }
   if (request.options.feeders.empty()) return;
   text.line("", spot.fed ? "fed through " + neck_text(spot.feed, input.unit) : "not fed");
@@ -66,8 +67,9 @@ void append_neck(std::string& text, const Neck& neck, bool is_there) {
 
 void append_row(std::string& text, const HotSpot& spot, std::size_t rank) {
   text += std::to_string(rank);
-  for (const double value : {spot.ball.centre.x, spot.ball.centre.y, spot.ball.centre.z, spot.ball.radius,
-                             2 * spot.ball.radius, spot.ball.error, spot.prominence, spot.wall, spot.isolation}) {
+  for (const double value :
+       {spot.ball.centre.x, spot.ball.centre.y, spot.ball.centre.z, spot.ball.radius, 2 * spot.ball.radius,
+        spot.ball.error, spot.prominence, spot.wall, spot.isolation}) {
     text += ',';
     append_exact(text, value);
   }
@@ -87,7 +89,8 @@ Json hot_spots_json(const HotSpotsRequest& request, const Input& input, const Ho
   json["prominence"] = found.prominence;
   json["feeders"] = request.options.feeders;
   json["hot_spots"] = Json::array();
-  for (std::size_t i = 0; i < found.spots.size(); ++i) json["hot_spots"].push_back(spot_json(found.spots[i], i));
+  for (std::size_t i = 0; i < found.spots.size(); ++i)
+    json["hot_spots"].push_back(spot_json(found.spots[i], i));
   json["critical_cells"] = found.critical_cells;
   json["provenance"] = json_of(finding.provenance);
   json["seconds"] = finding.seconds;
@@ -96,7 +99,8 @@ Json hot_spots_json(const HotSpotsRequest& request, const Input& input, const Ho
   return json;
 }
 
-std::string hot_spots_text(const HotSpotsRequest& request, const Input& input, const HotSpotsFinding& finding) {
+std::string hot_spots_text(const HotSpotsRequest& request, const Input& input,
+                           const HotSpotsFinding& finding) {
   const HotSpots& found = finding.found;
   const std::string unit = after_number(input.unit);
   TextReport text("hot spots of " + terminal_text(request.input));

@@ -4,9 +4,11 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "ball_drawing.h"
 #include "byte_sink.h"
-#include "cdfr/mesh/read.h"
+#include "hot_spots.h"
 #include "input.h"
 #include "number_option.h"
 #include "sections_finding.h"
@@ -21,34 +23,43 @@ namespace {
 
 struct Arguments {
   SectionsRequest request;
-  double thicker_than = 0;
+  double thicker_than = 0, prominence = 0;
+  std::vector<std::string> feeders;
   const CLI::Option *depth = nullptr, *thickness = nullptr;
   const CLI::App* verb = nullptr;
 };
 
+bool asks_hot_spots(const Arguments& arguments) {
+  return arguments.depth->count() + arguments.thickness->count() == 0;
+}
+
 void check_arguments(const Arguments& arguments) {
-  if (arguments.depth->count() + arguments.thickness->count() != 1)
-    stop_usage("sections needs --depth or --thicker-than, one of them");
+  if (arguments.depth->count() + arguments.thickness->count() == 2)
+    stop_usage("sections takes --depth or --thicker-than, not both");
+  const bool hot = asks_hot_spots(arguments);
+  for (const char* name : {"--min-volume", "--min-depth", "--density", "--against"}) {
+    if (hot && arguments.verb->count(name) > 0)
+      stop_usage(std::string(name) + " is for sections: it needs --depth or --thicker-than");
+  }
+  for (const char* name : {"--prominence", "--feed"}) {
+    if (!hot && arguments.verb->count(name) > 0)
+      stop_usage(std::string(name) + " is for hot spots: not with --depth or --thicker-than");
+  }
   check_sections_target(arguments.request);
 }
 
-/// The mesh to draw: INPUT itself, or --part for a saved field.
-Mesh drawn_mesh(const SectionsRequest& request, const Input& input) {
-  if (!is_drawn(request)) return {};
-  if (!request.part.empty()) {
-    Mesh part = need(read_mesh(request.part), request.part);
-    if (part.triangles.size() != input.field.report().triangles)
-      stop_failed(request.part, "not the field's mesh: it has another number of triangles");
-    return part;
-  }
-  if (!input.mesh) stop_usage("a saved field is drawn on --part MESH: it keeps no vertices by file order");
-  return *input.mesh;
+void list_hot_spots(const Arguments& arguments) {
+  const SectionsRequest& request = arguments.request;
+  HotSpotsRequest hot{request.input, request.output, request.part, {}, arguments.feeders, request.settings};
+  hot.options.error = request.options.error;
+  hot.options.prominence = arguments.prominence;
+  hot_spots_of_input(hot, *arguments.verb);
 }
 
 SectionsFinding find(const Arguments& arguments, const Input& input, const Input* former) {
   const auto start = std::chrono::steady_clock::now();
   const SectionsRequest& request = arguments.request;
-  const Mesh part = drawn_mesh(request, input);
+  const Mesh part = is_drawn(request.output) ? drawn_mesh(request.part, input) : Mesh{};
   Steering steering(request.settings, "looking for sections");
   steering.share(0, former != nullptr ? 0.5 : 1);
   SectionsFinding finding;
@@ -69,6 +80,7 @@ SectionsFinding find(const Arguments& arguments, const Input& input, const Input
 
 void sections_of_input(Arguments& arguments) {
   check_arguments(arguments);
+  if (asks_hot_spots(arguments)) return list_hot_spots(arguments);
   SectionsRequest& request = arguments.request;
   if (arguments.thickness->count() > 0) request.depth = arguments.thicker_than / 2;
   const Input input = open_input(request.input, request.settings, Demand::inside);
@@ -91,7 +103,15 @@ void add_section_options(CLI::App& verb, Arguments& arguments) {
   arguments.thickness = add_number(verb, "--thicker-than", arguments.thicker_than, {least, most},
                                    "The same as a diameter: --depth of half of it");
   add_number(verb, "--error", request.options.error, {least, most},
-             "How far the sections' borders may be off (longest side / 1000)");
+             "How far borders may be off, or depths of necks (longest side / 1000, for hot spots at least a "
+             "twentieth of the greatest depth)");
+  add_number(verb, "--prominence", arguments.prominence, {least, most},
+             "Hot spots are deeper by more than that than the necks that lead on (2 errors)");
+  verb.add_option("--feed", arguments.feeders,
+                  "Patches that metal is fed through, names or numbers: how wide "
+                  "the way is from each hot spot")
+      ->delimiter(',')
+      ->type_name("PATCH,...");
   add_number(verb, "--min-volume", request.options.min_volume, {0, most},
              "Leaves out sections of less volume");
   add_number(verb, "--min-depth", request.options.min_depth, {0, most},
@@ -111,8 +131,8 @@ void add_section_options(CLI::App& verb, Arguments& arguments) {
 
 void add_sections(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* verb =
-      program.add_subcommand("sections", "Heavy sections: what is thicker than a given thickness");
+  CLI::App* verb = program.add_subcommand(
+      "sections", "Heavy sections: what is thicker than a given thickness, or without one the hot spots");
   arguments->verb = verb;
   verb->add_option("INPUT", arguments->request.input, "Saved field, or a mesh that is built first")
       ->required();
@@ -120,7 +140,8 @@ void add_sections(CLI::App& program) {
   add_field_options(*verb, arguments->request.settings);
   verb->footer(
       "Example:\n  cdfr sections part.stl --thicker-than 17 --unit mm -o sections.glb\n"
-      "  cdfr sections part.stl --depth 8.5 --against former.stl --json");
+      "  cdfr sections part.stl --depth 8.5 --against former.stl --json\n"
+      "  cdfr sections part.obj --feed riser");
   verb->callback([arguments] { sections_of_input(*arguments); });
 }
 

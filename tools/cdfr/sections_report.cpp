@@ -18,14 +18,6 @@ constexpr std::size_t sections_told = 20;
 constexpr std::array<const char*, 5> fates{"same", "grown", "shrunk", "new", "gone"};
 const char* word_of(SectionFate fate) { return fates[static_cast<std::size_t>(fate)]; }
 
-Json ball_json(const InscribedBall& ball) {
-  return {{"center", json_of(ball.centre)},
-          {"radius", ball.radius},
-          {"diameter", 2 * ball.radius},
-          {"error", ball.error},
-          {"touches", ball.touches}};
-}
-
 Json section_json(const Section& section, std::size_t place) {
   return {{"rank", place + 1},
           {"ball", ball_json(section.ball)},
@@ -130,6 +122,14 @@ void add_solid(const SectionsRequest& request, const Input& input, TextReport& t
 }
 
 }  // namespace
+
+Json ball_json(const InscribedBall& ball) {
+  return {{"center", json_of(ball.centre)},
+          {"radius", ball.radius},
+          {"diameter", 2 * ball.radius},
+          {"error", ball.error},
+          {"touches", ball.touches}};
+}
 
 std::string thickness_text(const InscribedBall& ball, const std::string& unit) {
   return bounded_text(2 * ball.radius, 2 * ball.error, unit) + ", depth " +

@@ -11,6 +11,7 @@ namespace cdfr::command {
 Json sections_json(const SectionsRequest& request, const Input& input, const SectionsFinding& finding);
 std::string sections_text(const SectionsRequest& request, const Input& input, const SectionsFinding& finding);
 
+Json ball_json(const InscribedBall& ball);
 /// "17.0 mm +- 0.1, depth 8.50 mm +- 0.05".
 std::string thickness_text(const InscribedBall& ball, const std::string& unit);
 
