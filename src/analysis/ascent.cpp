@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "analysis/common_direction.h"
+#include "analysis/critical_cells.h"
 #include "core/vector.h"
 #include "field/query.h"
-#include "geometry/cube.h"
 
 namespace cdfr {
 namespace {
@@ -22,13 +22,13 @@ double Ascent::depth_at(const Eigen::Vector3d& x) const noexcept {
   return -signed_distance(field_, from_eigen(x));
 }
 
-std::size_t Ascent::cell_at(const Eigen::Vector3d& x) const noexcept {
+std::size_t Ascent::cell_at(const CriticalCells& critical, const Eigen::Vector3d& x) const noexcept {
   const Vec3& origin = field_.tree.lattice.origin;
   const auto place = [&](double at, double from) {
-    return static_cast<std::uint32_t>(std::floor((at - from) / critical_.size));
+    return static_cast<std::uint32_t>(std::floor((at - from) / critical.size));
   };
-  return critical_.find(
-      key_of({critical_.level, {place(x.x(), origin.x), place(x.y(), origin.y), place(x.z(), origin.z)}}));
+  return critical.find(
+      {critical.level, {place(x.x(), origin.x), place(x.y(), origin.y), place(x.z(), origin.z)}});
 }
 
 /// The way on from x, for a step of that length; zero where there is none. What can be closest within the
@@ -41,15 +41,15 @@ Eigen::Vector3d Ascent::way_up(const Eigen::Vector3d& x, double depth, double st
 }
 
 /// From x one step on, the shorter the closer x is to being critical. False where no step goes up.
-bool Ascent::step_up(Eigen::Vector3d& x, double& depth) {
+bool Ascent::step_up(const CriticalCells& critical, Eigen::Vector3d& x, double& depth) {
   for (int halving = 0; halving <= most_halvings; ++halving) {
-    double length = std::ldexp(critical_.size, -halving);
+    double length = std::ldexp(critical.size, -halving);
     const Eigen::Vector3d up = way_up(x, depth, length);
     if (up.isZero(0)) continue;
     double next = depth_at(x + up * length);
     if (!(next > depth)) continue;
     for (double longer = 2 * length; longer < depth; longer *= 2) {
-      if (cell_at(x + up * length) != CriticalCells::none) break;
+      if (cell_at(critical, x + up * length) != CriticalCells::none) break;
       const double there = depth_at(x + up * longer);
       if (!(there > next)) break;
       length = longer;
@@ -62,13 +62,29 @@ bool Ascent::step_up(Eigen::Vector3d& x, double& depth) {
   return false;
 }
 
-std::size_t Ascent::climb(const Eigen::Vector3d& start, double depth, Progress& progress) {
-  Eigen::Vector3d x = start;
+std::size_t Ascent::climb(const CriticalCells& critical, const Vec3& start, double depth,
+                          Progress& progress) {
+  Eigen::Vector3d x = to_eigen(start);
   for (int step = 0; step < most_steps && progress.poll(); ++step) {
-    if (const std::size_t cell = cell_at(x); cell != CriticalCells::none) return cell;
-    if (!step_up(x, depth)) break;
+    if (const std::size_t cell = cell_at(critical, x); cell != CriticalCells::none) return cell;
+    if (!step_up(critical, x, depth)) break;
   }
   return CriticalCells::none;
+}
+
+Vec3 Ascent::top_in(const Cube& cube, double depth, double shortest) {
+  const Eigen::Vector3d centre = to_eigen(cube.centre());
+  Eigen::Vector3d x = centre;
+  for (double length = cube.size / 2; length >= shortest; length /= 2) {
+    const Eigen::Vector3d up = way_up(x, depth, length);
+    const Eigen::Vector3d there = x + up * length;
+    if ((there - centre).lpNorm<Eigen::Infinity>() > cube.size / 2) continue;
+    const double next = depth_at(there);
+    if (!(next > depth)) continue;
+    x = there;
+    depth = next;
+  }
+  return from_eigen(x);
 }
 
 }  // namespace cdfr

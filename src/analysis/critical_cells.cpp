@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/ascent.h"
+#include "analysis/cell_index.h"
 #include "analysis/common_direction.h"
 #include "core/parallel.h"
 #include "core/vector.h"
+#include "field/distance_above.h"
 #include "field/near_triangles.h"
 #include "field/query.h"
+#include "geometry/box_distance.h"
 #include "geometry/cube.h"
 #include "geometry/query_range.h"
 
@@ -19,15 +23,14 @@ constexpr int task_level = 1;
 
 class CriticalDescent {
  public:
-  CriticalDescent(const FieldData& field, int level, double floor, std::span<const std::uint8_t> marked,
-                  Progress& progress)
+  CriticalDescent(const FieldData& field, const CriticalSearch& search, int level, Progress& progress)
       : field_(field),
+        search_(search),
         level_(level),
-        floor_(floor),
-        marked_(marked),
         progress_(progress),
         rounding_(point_rounding(
-            std::max(largest_magnitude(field.bounds().lo), largest_magnitude(field.bounds().hi)))) {}
+            std::max(largest_magnitude(field.bounds().lo), largest_magnitude(field.bounds().hi)))),
+        ascent_(field) {}
 
   void run(const Cell& cell) { run(cell, nullptr, false); }
   std::vector<CriticalCell>& found() noexcept { return found_; }
@@ -39,19 +42,22 @@ class CriticalDescent {
     const Cube cube{field_.tree.lattice.box(cell).lo, field_.tree.lattice.size(cell.level)};
     const double radius = cube.half_diagonal() + rounding_;
     double depth = inside ? 0 : -signed_distance(field_, cube.centre());
-    if (!inside && depth + radius <= floor_) return;
+    if (!inside && depth + radius <= search_.floor) return;
     std::vector<std::uint32_t> slots;
     const bool known = look(cube, std::fabs(depth), among, slots);
     if (inside) depth = known ? distance_ : -signed_distance(field_, cube.centre());
-    if (depth + radius <= floor_) return;
+    if (depth + radius <= search_.floor) return;
     if (known && common_direction(away_, radius).least > radius) return;
+    const bool touched = !known || touches(slots);
     if (cell.level == level_) {
-      found_.push_back({key_of(cell), -signed_distance(field_, cube.centre()), !known || touches(slots)});
+      const Vec3 centre = cube.centre();
+      found_.push_back({key_of(cell), centre, -signed_distance(field_, centre), touched});
       return;
     }
+    inside = depth > radius;
+    if (inside && !touched && settle(cell, cube, depth)) return;
     if (!progress_.poll()) return;
-    for (int child = 0; child < 8; ++child)
-      run(child_of(cell, child), known ? &slots : nullptr, depth > radius);
+    for (int child = 0; child < 8; ++child) run(child_of(cell, child), known ? &slots : nullptr, inside);
   }
 
   /// The triangles that can be closest in the cube, the vectors from their feet to its centre, and the least
@@ -73,17 +79,29 @@ class CriticalDescent {
   }
 
   bool touches(const std::vector<std::uint32_t>& slots) const noexcept {
-    return !marked_.empty() &&
-           std::any_of(slots.begin(), slots.end(), [&](std::uint32_t slot) { return marked_[slot] != 0; });
+    return !search_.marked.empty() && std::any_of(slots.begin(), slots.end(), [&](std::uint32_t slot) {
+      return search_.marked[slot] != 0;
+    });
+  }
+
+  /// Takes the cell as it is if its core tells enough. Precondition: all of it is inside.
+  bool settle(const Cell& cell, const Cube& cube, double depth) {
+    if (cube.size * cube.size > search_.error * depth) return false;
+    const double most = distance_above(field_, cube.lo, cube.size) + rounding_;
+    const Vec3 core = ascent_.top_in(cube, depth, search_.error / 8);
+    const double reached = -signed_distance(field_, core);
+    if (most > reached + search_.error / 2) return false;
+    if (reached > search_.floor) found_.push_back({key_of(cell), core, reached, false});
+    return true;
   }
 
   const FieldData& field_;
+  const CriticalSearch& search_;
   int level_;
-  double floor_;
-  std::span<const std::uint8_t> marked_;
   Progress& progress_;
   double rounding_;
   double distance_ = 0;
+  Ascent ascent_;
   std::vector<NearTriangle> near_;
   std::vector<Eigen::Vector3d> away_;
   std::vector<CriticalCell> found_;
@@ -100,10 +118,14 @@ std::vector<Cell> task_cells(const Lattice& lattice, int level) {
 
 }  // namespace
 
-std::size_t CriticalCells::find(std::uint64_t key) const noexcept {
-  const auto at = std::lower_bound(cells.begin(), cells.end(), key,
-                                   [](const CriticalCell& cell, std::uint64_t k) { return cell.key < k; });
-  return at != cells.end() && at->key == key ? static_cast<std::size_t>(at - cells.begin()) : none;
+std::size_t CriticalCells::find(const Cell& cell) const noexcept {
+  const std::uint64_t first = Span::of(key_of(cell)).first;
+  const auto after = std::upper_bound(
+      cells.begin(), cells.end(), first,
+      [](std::uint64_t place, const CriticalCell& other) { return place < Span::of(other.key).first; });
+  if (after == cells.begin()) return none;
+  const Span span = Span::of((after - 1)->key);
+  return first - span.first < span.size() ? static_cast<std::size_t>(after - 1 - cells.begin()) : none;
 }
 
 int level_of_error(const Lattice& lattice, double error) noexcept {
@@ -112,14 +134,15 @@ int level_of_error(const Lattice& lattice, double error) noexcept {
   return level;
 }
 
-CriticalCells critical_cells(const FieldData& field, int level, double floor,
-                             std::span<const std::uint8_t> marked, Progress& progress) {
-  CriticalCells critical{level, field.tree.lattice.size(level), {}};
-  const std::vector<Cell> tasks = task_cells(field.tree.lattice, std::min(level, task_level));
+CriticalCells critical_cells(const FieldData& field, const CriticalSearch& search, Progress& progress) {
+  const Lattice& lattice = field.tree.lattice;
+  const int level = level_of_error(lattice, search.error);
+  CriticalCells critical{level, lattice.size(level), {}};
+  const std::vector<Cell> tasks = task_cells(lattice, std::min(level, task_level));
   std::vector<std::vector<CriticalCell>> found(tasks.size());
   progress.phase(0.1, 0.5, static_cast<double>(tasks.size()));
   for_chunks(tasks.size(), 1, [&](std::size_t i, std::size_t) {
-    CriticalDescent descent(field, level, floor, marked, progress);
+    CriticalDescent descent(field, search, level, progress);
     descent.run(tasks[i]);
     found[i] = std::move(descent.found());
     progress.step();
@@ -127,9 +150,21 @@ CriticalCells critical_cells(const FieldData& field, int level, double floor,
   if (progress.cancelled()) return critical;
   for (const std::vector<CriticalCell>& part : found)
     critical.cells.insert(critical.cells.end(), part.begin(), part.end());
-  std::sort(critical.cells.begin(), critical.cells.end(),
-            [](const CriticalCell& a, const CriticalCell& b) { return a.key < b.key; });
+  std::sort(critical.cells.begin(), critical.cells.end(), [](const CriticalCell& a, const CriticalCell& b) {
+    return Span::of(a.key).first < Span::of(b.key).first;
+  });
   return critical;
+}
+
+double way_depth(const Vec3& a, double depth_a, const Vec3& b, double depth_b) noexcept {
+  const double apart = distance_between(a, b), square = apart * apart;
+  const double from = depth_a * depth_a, to = depth_b * depth_b;
+  const double least = std::min(depth_a, depth_b);
+  if (!(square > 0)) return least;
+  const double t = (square + from - to) / (2 * square);
+  if (t <= 0 || t >= 1) return least;
+  // Rounds by a few u of the largest term; what is left over it is far below any error asked for.
+  return std::sqrt(std::max(0.0, from - t * t * square));
 }
 
 }  // namespace cdfr

@@ -8,12 +8,16 @@
 /// type as its medial axis").
 ///
 /// A cell of centre c and half diagonal h has no critical point if some direction u has w.u > h for all w = c
-/// - foot of the triangles that can be closest in the cell (near_triangles.h): the map x -> x - foot(x, T)
-/// changes by at most |x - c| since T is convex, so from any point of the cell all of them go along u. Cells
-/// are halved until that proves it, or until their half diagonal is half the error.
+/// - foot of the triangles that can be closest in the cell (field/near_triangles.h): the map x -> x - foot(x,
+/// T) changes by at most |x - c| since T is convex, so from any point of the cell all of them go along u.
+/// Cells are halved until that proves it, or until one point of the cell, its core, tells enough of it:
+///  - its half diagonal is half the error: the centre; or
+///  - no point of it is deeper than the core by more than half the error (field/distance_above.h, exact
+///    between parallel walls), and its edge s is short enough for s^2 <= error * depth. Between the middles
+///    of two cells of a plate the depth then falls by less than half the error (way_depth). So the middle of
+///    a plate takes cells of about its thickness.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -26,42 +30,40 @@
 namespace cdfr {
 
 struct CriticalCell {
-  std::uint64_t key = 0;  ///< octree/key.h, all of one level
-  double depth = 0;       ///< of the centre
-  bool touched = false;   ///< a marked triangle can be closest in the cell
+  std::uint64_t key = 0;  ///< octree/key.h
+  Vec3 core;
+  double depth = 0;      ///< of the core
+  bool touched = false;  ///< a marked triangle can be closest in the cell
 };
 
 struct CriticalCells {
-  int level = 0;
-  double size = 0;                  ///< edge of a cell
-  std::vector<CriticalCell> cells;  ///< ascending keys
+  int level = 0;                    ///< of the smallest
+  double size = 0;                  ///< edge of those
+  std::vector<CriticalCell> cells;  ///< disjoint, in Morton order
 
   static constexpr std::size_t none = ~std::size_t{0};
-  /// The cell's number, or none. O(log n).
-  std::size_t find(std::uint64_t key) const noexcept;
+  /// Number of the cell that holds all of that one, or begins where it does; or none. O(log n).
+  std::size_t find(const Cell& cell) const noexcept;
+};
+
+/// How well the depth's critical points are looked for.
+struct CriticalSearch {
+  double error = 0;
+  double floor = 0;                        ///< only what is deeper; at least the error
+  std::span<const std::uint8_t> marked{};  ///< a byte for each slot, or empty
 };
 
 /// The level whose cells have half a diagonal of at most error / 2; above deepest_level if there is none.
 int level_of_error(const Lattice& lattice, double error) noexcept;
 
-/// All cells of that level that may hold a critical point deeper than `floor`. `marked` has a byte for each
-/// slot, or is empty. Preconditions: the field is signed and its sign changes on the surface alone; floor is
-/// at least a cell's diagonal. Runs in the caller's task arena; empty if cancelled.
-CriticalCells critical_cells(const FieldData& field, int level, double floor,
-                             std::span<const std::uint8_t> marked, Progress& progress);
+/// Cells that hold all critical points. Preconditions: the field is signed and its sign changes on the
+/// surface alone; the error's level is there. Runs in the caller's task arena; empty if cancelled.
+CriticalCells critical_cells(const FieldData& field, const CriticalSearch& search, Progress& progress);
 
-/// visit(number) for each critical cell that has a point in common with it.
-template <class Visit>
-void for_each_touching(const CriticalCells& critical, const Cell& cell, Visit visit) {
-  const std::uint32_t end = std::uint32_t{1} << (cell.level + virtual_levels);
-  for (int step = 0; step < 27; ++step) {
-    const std::array<std::uint32_t, 3> place{cell.place[0] + static_cast<std::uint32_t>(step % 3 - 1),
-                                             cell.place[1] + static_cast<std::uint32_t>(step / 3 % 3 - 1),
-                                             cell.place[2] + static_cast<std::uint32_t>(step / 9 - 1)};
-    if (step == 13 || place[0] >= end || place[1] >= end || place[2] >= end) continue;
-    const std::size_t number = critical.find(key_of({cell.level, place}));
-    if (number != CriticalCells::none) visit(number);
-  }
-}
+/// No point of the straight way from one place inside to another is less deep, given the depths at its ends:
+/// the squared distance less |x|^2 is concave (octree/influence.h), so at the share t of the way
+///     d^2 >= (1 - t) d_a^2 + t d_b^2 - t (1 - t) |b - a|^2.
+/// 0 if that does not keep the way inside.
+double way_depth(const Vec3& a, double depth_a, const Vec3& b, double depth_b) noexcept;
 
 }  // namespace cdfr

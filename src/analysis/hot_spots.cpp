@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
+#include <utility>
 #include <vector>
 
 #include "analysis/critical_cells.h"
@@ -38,11 +38,12 @@ class HotSpotSearch {
     if (!(deepest_.depth > 0)) return found_;
     // Walls thinner than the error do not lead anywhere.
     const double floor = found_.error;
-    critical_ = critical_cells(field_, level_, floor, marked(), progress_);
+    const std::vector<std::uint8_t> marks = marked();
+    critical_ = critical_cells(field_, {found_.error, floor, marks}, progress_);
     found_.critical_cells = critical_.cells.size();
-    const std::vector<DepthLink> links = links_up(field_, critical_, floor, progress_);
+    std::vector<DepthLink> links = depth_links(field_, critical_, floor, progress_);
     if (!progress_.poll()) return ended();
-    peaks_ = depth_tree(critical_, links, found_.prominence);
+    peaks_ = depth_tree(critical_, std::move(links), found_.prominence);
     describe();
     if (!progress_.poll()) return ended();
     return found_;
@@ -59,10 +60,9 @@ class HotSpotSearch {
     const double share = deepest_.depth * default_share;
     found_.error = options_.error > 0 ? options_.error : std::max(longest / 1000, share);
     found_.prominence = options_.prominence > 0 ? options_.prominence : std::max(2 * found_.error, share);
-    level_ = level_of_error(field_.tree.lattice, found_.error);
     const double rounding = point_rounding(
         std::max(largest_magnitude(field_.bounds().lo), largest_magnitude(field_.bounds().hi)));
-    if (level_ > deepest_level || found_.error < 64 * rounding)
+    if (level_of_error(field_.tree.lattice, found_.error) > deepest_level || found_.error < 64 * rounding)
       return Error{Code::bad_option, 0, "error is too small for this part's size"};
     if (found_.prominence < 2 * found_.error)
       return Error{Code::bad_option, 0, "prominence must be at least twice the error"};
@@ -81,12 +81,9 @@ class HotSpotSearch {
     return marks;
   }
 
-  Cube cube_of(std::size_t cell) const noexcept {
-    return {field_.tree.lattice.box(cell_of(critical_.cells[cell].key)).lo, critical_.size};
-  }
-
-  Neck neck_at(std::size_t cell) const noexcept {
-    return {cube_of(cell).centre(), critical_.cells[cell].depth, found_.error};
+  Cube cube_of(const CriticalCell& critical) const noexcept {
+    const Cell cell = cell_of(critical.key);
+    return {field_.tree.lattice.box(cell).lo, field_.tree.lattice.size(cell.level)};
   }
 
   void describe() {
@@ -102,42 +99,36 @@ class HotSpotSearch {
 
   HotSpot spot(const DepthPeak& peak) {
     HotSpot spot;
-    spot.ball = ball_of(peak.cell);
-    spot.prominence = spot.ball.radius;
-    if (peak.neck != DepthPeak::none) {
-      spot.neck = neck_at(peak.neck);
-      spot.prominence -= spot.neck.radius;
+    spot.ball = ball_of(critical_.cells[peak.cell]);
+    spot.prominence = spot.ball.radius - peak.neck_depth;
+    if (peak.elder != DepthPeak::none) {
+      spot.neck = {peak.neck, peak.neck_depth, found_.error};
       const auto elder = std::find_if(peaks_.begin(), peaks_.end(),
                                       [&](const DepthPeak& other) { return other.cell == peak.elder; });
       spot.towards = static_cast<std::size_t>(elder - peaks_.begin());
     }
     spot.wall = depth_on_sphere(field_, spot.ball.centre, 2 * spot.ball.radius, found_.error, progress_);
     spot.isolation = spot.wall > 0 ? spot.ball.radius / spot.wall : std::numeric_limits<double>::infinity();
-    if (peak.feed != DepthPeak::none) {
-      spot.fed = true;
-      spot.feed = neck_at(peak.feed);
-    }
+    spot.fed = peak.fed;
+    if (peak.fed) spot.feed = {peak.feed, peak.feed_depth, found_.error};
     return spot;
   }
 
-  /// Critical cells that touch each other from the peak on and may hold a deeper point than its centre.
-  std::vector<Cube> top_of(std::size_t peak) const {
-    const double least = critical_.cells[peak].depth - found_.error / 2;
-    std::vector<std::size_t> reached{peak};
-    std::set<std::size_t> met{peak};
-    for (std::size_t i = 0; i < reached.size() && reached.size() <= most_top_cells; ++i) {
-      for_each_touching(critical_, cell_of(critical_.cells[reached[i]].key), [&](std::size_t beside) {
-        if (critical_.cells[beside].depth >= least && met.insert(beside).second) reached.push_back(beside);
-      });
-    }
+  /// Critical cells about the peak that may hold a deeper point than its core.
+  std::vector<Cube> top_of(const CriticalCell& peak) const {
     std::vector<Cube> cubes;
-    if (reached.size() > most_top_cells) return cubes;
-    for (const std::size_t cell : reached) cubes.push_back(cube_of(cell));
+    for (const CriticalCell& cell : critical_.cells) {
+      const Cube cube = cube_of(cell);
+      if (cell.depth + found_.error < peak.depth || distance_between(cell.core, peak.core) > peak.depth / 2)
+        continue;
+      cubes.push_back(cube);
+      if (cubes.size() > most_top_cells) return {};
+    }
     return cubes;
   }
 
-  InscribedBall ball_of(std::size_t peak) {
-    InscribedBall ball{cube_of(peak).centre(), critical_.cells[peak].depth, found_.error / 2, {}};
+  InscribedBall ball_of(const CriticalCell& peak) {
+    InscribedBall ball{peak.core, peak.depth, found_.error / 2, {}};
     if (const std::vector<Cube> top = top_of(peak); !top.empty()) {
       DeepestSearch search(field_, {.error = found_.error * ball_share}, progress_);
       std::vector<DeepestSearch::Looked> looked;
@@ -171,7 +162,6 @@ class HotSpotSearch {
   const HotSpotOptions& options_;
   Progress& progress_;
   Deepest deepest_;
-  int level_ = 0;
   CriticalCells critical_;
   std::vector<DepthPeak> peaks_;
   HotSpots found_;
