@@ -35,6 +35,10 @@ std::size_t Ascent::cell_at(const CriticalCells& critical, const Eigen::Vector3d
 /// step can be so in the cube of twice its size.
 Eigen::Vector3d Ascent::way_up(const Eigen::Vector3d& x, double depth, double step) {
   if (!near_triangles(field_, x, 2 * step, depth, near_)) return Eigen::Vector3d::Zero();
+  return away_from_near();
+}
+
+Eigen::Vector3d Ascent::away_from_near() {
   away_.clear();
   for (const NearTriangle& near : near_) away_.emplace_back(near.foot.gradient * near.foot.distance);
   return common_direction(away_, 0).direction;
@@ -72,12 +76,12 @@ std::size_t Ascent::climb(const CriticalCells& critical, const Vec3& start, doub
   return CriticalCells::none;
 }
 
-Vec3 Ascent::top_in(const Cube& cube, double depth, double shortest) {
+Vec3 Ascent::top_in(const Cube& cube, double depth, double shortest, std::span<const std::uint32_t> among) {
   const Eigen::Vector3d centre = to_eigen(cube.centre());
   Eigen::Vector3d x = centre;
   for (double length = cube.size / 2; length >= shortest; length /= 2) {
-    const Eigen::Vector3d up = way_up(x, depth, length);
-    const Eigen::Vector3d there = x + up * length;
+    near_triangles(field_, x, 2 * length, among, near_);
+    const Eigen::Vector3d there = x + away_from_near() * length;
     if ((there - centre).lpNorm<Eigen::Infinity>() > cube.size / 2) continue;
     const double next = depth_at(there);
     if (!(next > depth)) continue;

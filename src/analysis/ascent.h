@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/progress.h"
@@ -26,11 +28,13 @@ class Ascent {
   /// no direction up, or after very many steps. `depth` is that of x, above the error of the cells.
   std::size_t climb(const CriticalCells& critical, const Vec3& x, double depth, Progress& progress);
   /// The highest point of the cube that the way up from its centre comes to, in steps from half its edge down
-  /// to that length. Precondition: all of the cube is inside; `depth` is that of its centre.
-  Vec3 top_in(const Cube& cube, double depth, double shortest);
+  /// to that length. Preconditions: all of the cube is inside; `depth` is that of its centre; `among` are the
+  /// slots of all triangles that can be closest in it.
+  Vec3 top_in(const Cube& cube, double depth, double shortest, std::span<const std::uint32_t> among);
 
  private:
   Eigen::Vector3d way_up(const Eigen::Vector3d& x, double depth, double step);
+  Eigen::Vector3d away_from_near();
   bool step_up(const CriticalCells& critical, Eigen::Vector3d& x, double& depth);
   double depth_at(const Eigen::Vector3d& x) const noexcept;
   std::size_t cell_at(const CriticalCells& critical, const Eigen::Vector3d& x) const noexcept;

@@ -55,7 +55,7 @@ class CriticalDescent {
       return;
     }
     inside = depth > radius;
-    if (inside && !touched && settle(cell, cube, depth)) return;
+    if (inside && known && !touched && settle(cell, cube, depth, slots)) return;
     if (!progress_.poll()) return;
     for (int child = 0; child < 8; ++child) run(child_of(cell, child), known ? &slots : nullptr, inside);
   }
@@ -85,10 +85,10 @@ class CriticalDescent {
   }
 
   /// Takes the cell as it is if its core tells enough. Precondition: all of it is inside.
-  bool settle(const Cell& cell, const Cube& cube, double depth) {
+  bool settle(const Cell& cell, const Cube& cube, double depth, std::span<const std::uint32_t> among) {
     if (cube.size * cube.size > search_.error * depth) return false;
     const double most = distance_above(field_, cube.lo, cube.size) + rounding_;
-    const Vec3 core = ascent_.top_in(cube, depth, search_.error / 8);
+    const Vec3 core = ascent_.top_in(cube, depth, search_.error / 8, among);
     const double reached = -signed_distance(field_, core);
     if (most > reached + search_.error / 2) return false;
     if (reached > search_.floor) found_.push_back({key_of(cell), core, reached, false});
