@@ -25,7 +25,7 @@ namespace cdfr {
 namespace {
 
 /// Shares of e: to which a cube may count as flat, and the ball's.
-constexpr double flat_share = 0.5, ball_share = 0.125;
+constexpr double flat_share = 0.5, ball_share = 1.0 / 64;
 /// Least e, as a share of the longest side: cells then leave some levels of the lattice to necks.
 constexpr double least_error = 0x1p-14;
 /// Cubes that may be halved to prove that a cluster of cells holds nothing deeper than T, and places listed
@@ -114,7 +114,7 @@ class SectionSearch {
       if (core == i) section_of_[i] = count_++;
       if (core != none) section_of_[i] = section_of_[core];
     }
-    clusters_ = doubt_clusters(doubts, [this](std::uint32_t i) { return core_of(i); });
+    clusters_ = doubt_clusters(doubts, joins_);
     std::vector<bool> clustered(section_of_.size());
     for (const DoubtCluster& cluster : clusters_) {
       for (const std::uint32_t i : cluster.cells) clustered[i] = true;
