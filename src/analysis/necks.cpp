@@ -12,9 +12,12 @@
 namespace cdfr {
 namespace {
 
-constexpr int most_rounds = 8;
-/// Cubes that may be looked at in one round.
-constexpr std::size_t most_halved = std::size_t{1} << 16;
+/// A chain of cells in doubt is resolved from its ends, a cell or two a round.
+constexpr int most_rounds = 64;
+/// Cells that may be halved in one round.
+constexpr std::size_t most_halved = std::size_t{1} << 13;
+/// Half diagonal of the smallest cells that are halved, in errors.
+constexpr double least_halved = 0x1p-8;
 
 /// Cells in doubt, halved on top of the cells that were found first. A number below cells.size() is one of
 /// those, the others are halved ones.
@@ -28,19 +31,20 @@ class Overlay {
         cells_(cells),
         index_(index),
         joins_(joins),
-        doubts_(joins.doubts) {}
+        doubts_(joins.doubts),
+        least_half_(threshold.error / std::sqrt(3.0) * least_halved / field.tree.lattice.edge) {}
 
   NeckFindings run(Progress& progress) {
     drop_idle_doubts();
     std::vector<std::uint32_t> between;
     for (int round = 0; round < most_rounds && progress.poll(); ++round) {
       between = cells_between();
-      if (between.empty() || between.size() * 8 > most_halved) break;
+      if (between.empty() || between.size() > most_halved) break;
       // Half the diagonal of the largest decides how far this round goes.
       double largest = 0;
       for (const std::uint32_t i : between) largest = std::max(largest, half_of(cell(i)));
       finer_.error = std::sqrt(3.0) * largest * field_.tree.lattice.edge / 2 * (1 + 0x1p-40);
-      finer_.flat /= 2;
+      finer_.flat = finer_.error / 4;
       if (!halve_all(between)) break;
     }
     report();
@@ -74,7 +78,7 @@ class Overlay {
     std::vector<std::uint32_t> between;
     for (const Seam& seam : seams()) {
       for (const std::uint32_t i : {seam.doubt.a, seam.doubt.b}) {
-        if (!gone_.contains(i)) between.push_back(i);
+        if (!gone_.contains(i) && half_of(cell(i)) > least_half_) between.push_back(i);
       }
     }
     std::sort(between.begin(), between.end());
@@ -214,6 +218,7 @@ class Overlay {
   const CellIndex& index_;
   CellJoins& joins_;
   std::vector<Doubt> doubts_;
+  double least_half_;
   Threshold finer_ = threshold_;
   std::vector<HeavyCell> halved_;
   std::map<std::uint64_t, std::uint32_t> by_place_;  ///< of halved cells that are not gone
