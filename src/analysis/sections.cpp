@@ -25,7 +25,9 @@ namespace cdfr {
 namespace {
 
 /// Shares of e: to which a cube may count as flat, and the ball's.
-constexpr double flat_share = 0.5, ball_share = 1.0 / 64;
+constexpr double flat_share = 0.5, ball_share = 0.125;
+/// Of the last steps of a ball's centre, in e.
+constexpr double least_step = 0x1p-10;
 /// Least e, as a share of the longest side: cells then leave some levels of the lattice to necks.
 constexpr double least_error = 0x1p-14;
 /// Cubes that may be halved to prove that a cluster of cells holds nothing deeper than T, and places listed
@@ -192,9 +194,32 @@ class SectionSearch {
     std::vector<DeepestSearch::Looked> looked;
     for (const std::uint32_t i : cells) looked.push_back(search.look(cube_of(i)));
     const Deepest deepest = search.run(looked);
-    InscribedBall ball{deepest.point, deepest.depth, deepest.error, {}};
+    InscribedBall ball{deepest.point, deepest.depth, 0, {}};
+    climb(ball);
+    ball.error = deepest.depth + deepest.error - ball.radius;
     ball.touches = triangles_within(field_, ball.centre, ball.radius + 2 * ball.error);
     return ball;
+  }
+
+  /// Moves the centre to where it is deeper, along the axes by ever smaller steps: what is known of the largest ball
+  /// stays, so each step takes as much from the error.
+  void climb(InscribedBall& ball) const {
+    for (double step = threshold_.error / 2; step > threshold_.error * least_step; step /= 2) {
+      for (bool moved = true; moved;) {
+        moved = false;
+        for (int way = 0; way < 6; ++way) {
+          const double by = way % 2 == 0 ? step : -step;
+          Vec3 x = ball.centre;
+          (way < 2 ? x.x : way < 4 ? x.y : x.z) += by;
+          const double depth = -signed_distance(field_, x);
+          // Of the steps that go on and on those by a hair are left out.
+          if (depth <= ball.radius + step * 0x1p-6) continue;
+          ball.centre = x;
+          ball.radius = depth;
+          moved = true;
+        }
+      }
+    }
   }
 
   /// Largest first; of equal balls the first in space.
