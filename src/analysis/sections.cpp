@@ -35,35 +35,41 @@ constexpr double least_error = 0x1p-14;
 constexpr std::uint64_t most_halved = 4096;
 constexpr std::size_t most_places = 1000;
 
+/// Blocks that are descended into at once: what they find lies ready twice for a while.
+constexpr std::size_t blocks_a_wave = 16;
+
+void append(HeavyCells& all, const HeavyCells& own) {
+  const auto before = static_cast<std::uint32_t>(all.cells.size());
+  all.cells.insert(all.cells.end(), own.cells.begin(), own.cells.end());
+  for (const CellTriangle& pair : own.triangles) all.triangles.push_back({pair.cell + before, pair.slot});
+  all.looks += own.looks;
+}
+
+HeavyCells cells_in_block(const FieldData& field, const Threshold& threshold, std::size_t number,
+                          Progress& progress) {
+  HeavyCells found;
+  const Block block = field.tree.block(number);
+  HeavyDescent descent(field, threshold, found);
+  for_each_leaf(block, [&](const Cell& cell, std::uint32_t leaf_number) {
+    if (!progress.poll()) return;
+    const LeafRecord& leaf = block.leaves[leaf_number];
+    descent.run(cell, {block.entries.data() + leaf.first, leaf.count()}, leaf.side());
+  });
+  progress.step();
+  return found;
+}
+
 HeavyCells all_cells(const FieldData& field, const Threshold& threshold, Progress& progress) {
   const std::size_t blocks = field.tree.block_count();
-  std::vector<HeavyCells> found(blocks);
   progress.phase(0, 0.7, static_cast<double>(blocks));
-  for_chunks(blocks, 1, [&](std::size_t i, std::size_t) {
-    const Block block = field.tree.block(i);
-    HeavyDescent descent(field, threshold, found[i]);
-    for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
-      if (!progress.poll()) return;
-      const LeafRecord& leaf = block.leaves[number];
-      descent.run(cell, {block.entries.data() + leaf.first, leaf.count()}, leaf.side());
-    });
-    progress.step();
-  });
   HeavyCells all;
-  std::size_t cells = 0, triangles = 0;
-  for (const HeavyCells& own : found) {
-    cells += own.cells.size();
-    triangles += own.triangles.size();
-  }
-  all.cells.reserve(cells);
-  all.triangles.reserve(triangles);
-  for (HeavyCells& own : found) {
-    const auto before = static_cast<std::uint32_t>(all.cells.size());
-    for (CellTriangle& pair : own.triangles) pair.cell += before;
-    all.cells.insert(all.cells.end(), own.cells.begin(), own.cells.end());
-    all.triangles.insert(all.triangles.end(), own.triangles.begin(), own.triangles.end());
-    all.looks += own.looks;
-    own = {};
+  std::vector<HeavyCells> wave(blocks_a_wave);
+  for (std::size_t first = 0; first < blocks && !progress.cancelled(); first += blocks_a_wave) {
+    const std::size_t count = std::min(blocks_a_wave, blocks - first);
+    for_chunks(count, 1, [&](std::size_t i, std::size_t) {
+      wave[i] = cells_in_block(field, threshold, first + i, progress);
+    });
+    for (std::size_t i = 0; i < count; ++i) append(all, std::exchange(wave[i], {}));
   }
   return all;
 }
