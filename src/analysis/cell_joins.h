@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -29,28 +28,26 @@ struct CellJoins {
   std::vector<bool> has_core;  ///< by cell
   std::vector<Doubt> doubts;   ///< between different sets
 
+  std::uint32_t root(std::uint32_t i) noexcept { return static_cast<std::uint32_t>(cores.root(i)); }
   /// The root of the cell's core, or no_index if it has none. The root of a set is its lowest number; halved
   /// cells (necks.h) come after those that were found first, and have no core of their own.
   std::uint32_t core_of(std::uint32_t i) noexcept {
-    const std::size_t root = cores.root(i);
-    return root < has_core.size() && has_core[root] ? static_cast<std::uint32_t>(root) : no_index;
+    const std::uint32_t own = root(i);
+    return own < has_core.size() && has_core[own] ? own : no_index;
   }
 };
 
 CellJoins join_cells(const CoreRule& rule, std::span<const HeavyCell> cells, const CellIndex& index,
                      Progress& progress);
 
-/// The root of a cell's core, or no_index if it has none.
-using CoreOf = std::function<std::uint32_t(std::uint32_t)>;
-
 /// Cells without a core that are linked by doubts, and the cores that they touch.
 struct DoubtCluster {
-  std::vector<std::uint32_t> cells;  ///< ascending
+  std::vector<std::uint32_t> cells;  ///< roots of their sets, ascending
   std::vector<std::uint32_t> cores;  ///< roots, ascending
 };
 
 /// Clusters ascend by their first cells.
-std::vector<DoubtCluster> doubt_clusters(std::span<const Doubt> doubts, const CoreOf& core_of);
+std::vector<DoubtCluster> doubt_clusters(std::span<const Doubt> doubts, CellJoins& joins);
 
 /// Where the territories of two cores meet: each cell in doubt is in that of the core to which fewest steps
 /// lead.
@@ -58,6 +55,6 @@ struct Seam {
   std::uint32_t first, second;  ///< roots, first < second
   Doubt doubt;
 };
-std::vector<Seam> seams_between(std::span<const Doubt> doubts, const CoreOf& core_of);
+std::vector<Seam> seams_between(std::span<const Doubt> doubts, CellJoins& joins);
 
 }  // namespace cdfr

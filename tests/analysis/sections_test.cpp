@@ -65,7 +65,7 @@ TEST(Sections, TheComparisonIsStrict) {
       const Sections at = heavy_sections(field, half, {0.01}).value();
       EXPECT_TRUE(at.sections.empty());
       EXPECT_TRUE(at.undecided.empty());
-      EXPECT_EQ(checked_sections(field, half - 0.01).sections.size(), 1U);
+      EXPECT_EQ(checked_sections(field, half - 0.01, {0.01}).sections.size(), 1U);
     }
   }
   EXPECT_TRUE(heavy_sections(field_of(test::sphere_mesh(4)), 1).value().sections.empty());
