@@ -57,7 +57,7 @@ struct ThicknessOptions {
 };
 
 /// Lengths in the mesh's unit. With the sphere method the largest ball's diameter lies in
-/// [thickness, thickness + error] for a facet tolerance of D, or one larger by rounding (16 ulp of the
+/// [thickness, thickness + error] for a facet tolerance of D, or one larger by rounding (32 ulp of the
 /// largest coordinate). With the ray method the first hit lies within `error` of the thickness.
 struct ThicknessSample {
   Vec3 position;
@@ -92,7 +92,7 @@ struct ThinPlace {
 struct ThicknessReport {
   double facet = 0, error = 0, largest = 0;  ///< as they were taken
   FacetEstimate facet_estimate;              ///< empty unless it was asked for
-  double rounding = 0;                       ///< 16 ulp of the largest coordinate
+  double rounding = 0;                       ///< 32 ulp of the largest coordinate
   std::uint64_t queries = 0;                 ///< closest points, or rays
   std::uint64_t regions = 0;                 ///< smooth ones
   std::uint64_t samples = 0;                 ///< that something was met by
@@ -123,7 +123,7 @@ struct Thickness {
 /// for what touches the sample itself.
 ///
 /// The same bytes for any number of threads. O(samples) memory, and a few closest points or one ray each.
-/// Errors: bad_option (not finite or out of its range; error below 64 ulp of the largest coordinate; more
+/// Errors: bad_option (not finite or out of its range; error below 128 ulp of the largest coordinate; more
 /// than 2^32 - 2 samples), not_closed (an unsigned field has no inside), cancelled; the field's own. Thread
 /// safe.
 CDFR_API Result<Thickness> thickness(const Field& field, const ThicknessOptions& options = {},
