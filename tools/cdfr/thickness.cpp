@@ -68,7 +68,7 @@ void write_output(const ThicknessRequest& request, const Mesh& part, const Input
                   const ThicknessFinding& finding) {
   if (request.output.empty()) return;
   if (is_painted(request.output)) {
-    write_thickness_painted(request, part, input.unit, finding, {});
+    write_thickness_painted(request, part, input.unit, finding);
     return;
   }
   const auto sink = whole_file(request.output);
@@ -91,7 +91,7 @@ ThicknessFinding measure(const ThicknessRequest& request, const Input& input, co
                                      request.thinning, steering.run()),
                             request.against);
   }
-  stop_if_interrupted();
+  finding.provenance = provenance_of(request.input, *request.verb, input);
   write_output(request, part, input, finding);
   stop_if_interrupted();
   finding.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <vector>
 
 #include "cdfr/export/painted.h"
 #include "number_text.h"
@@ -62,7 +63,7 @@ std::vector<PaintedLabel> labels_of(const ThicknessReport& report, const std::st
 }  // namespace
 
 void write_thickness_painted(const ThicknessRequest& request, const Mesh& mesh, const std::string& unit,
-                             const ThicknessFinding& finding, const std::vector<std::string>& notes) {
+                             const ThicknessFinding& finding) {
   const auto& samples = finding.walls.samples;
   const ThicknessReport& report = finding.walls.report;
   const bool by_vertex = request.options.at == SampleAt::vertices;
@@ -80,7 +81,7 @@ void write_thickness_painted(const ThicknessRequest& request, const Mesh& mesh, 
   }
   painted.unit = unit;
   painted.labels = labels_of(report, unit);
-  painted.notes = notes;
+  painted.notes = lines_of(finding.provenance);
   const double metres = metres_in(unit).value_or(1);
   need(write_painted(painted, request.output, extension_of(request.output) == ".glb" ? metres : 1),
        request.output);

@@ -1,9 +1,7 @@
 /// The part coloured by its wall thickness, for looking and for ParaView.
 #pragma once
 
-#include <filesystem>
 #include <string>
-#include <vector>
 
 #include "cdfr/mesh/mesh.h"
 #include "thickness_request.h"
@@ -14,6 +12,6 @@ namespace cdfr::command {
 /// colour from its 1 % to its 99 % quantile, and the thinnest places as labels. Of several samples a
 /// triangle has the thinnest. Ends the program (Stop) if it cannot be written.
 void write_thickness_painted(const ThicknessRequest& request, const Mesh& mesh, const std::string& unit,
-                             const ThicknessFinding& finding, const std::vector<std::string>& notes);
+                             const ThicknessFinding& finding);
 
 }  // namespace cdfr::command

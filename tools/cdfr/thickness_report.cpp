@@ -198,6 +198,7 @@ Json thickness_json(const ThicknessRequest& request, const Input& input, const T
   json["place_count"] = report.place_count;
   add_solid(request, input.field.report(), json);
   json["against"] = finding.thinning ? thinning_json(request.against, *finding.thinning) : Json(nullptr);
+  json["provenance"] = json_of(finding.provenance);
   json["seconds"] = finding.seconds;
   json["field_seconds"] = input.seconds;
   json["output"] = request.output.empty() ? Json(nullptr) : Json(request.output);
@@ -225,6 +226,7 @@ std::string thickness_text(const ThicknessRequest& request, const Input& input,
     if (request.density > 0) text.line("mass", short_text(mesh.volume * request.density));
   }
   text.line("surface", squared(mesh.area, input));
+  text.line("sha256 of the input", finding.provenance.sha256);
   text.line("time", seconds_text(finding.seconds) + ", field " + seconds_text(input.seconds));
   if (!request.output.empty()) text.line("written to", terminal_text(request.output));
   return text.text();

@@ -7,6 +7,7 @@
 
 #include "cdfr/analysis/thickness.h"
 #include "input.h"
+#include "provenance.h"
 #include "settings.h"
 
 namespace cdfr::command {
@@ -23,6 +24,7 @@ struct ThicknessRequest {
 struct ThicknessFinding {
   Thickness walls;
   std::optional<Thinning> thinning;
+  Provenance provenance;
   double seconds = 0;
 };
 
