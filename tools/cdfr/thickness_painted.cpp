@@ -55,7 +55,7 @@ std::vector<PaintedLabel> labels_of(const ThicknessReport& report, const std::st
   for (const ThinPlace& place : report.places) {
     if (labels.size() == most_labels || place.at_edge) break;
     labels.push_back({place.position, std::to_string(labels.size() + 1) + ": " +
-                                          bounded_text(place.thickness, place.error + report.facet, unit)});
+                                          bounded_text(place.thickness, place.error + place.facet, unit)});
   }
   return labels;
 }
