@@ -5,6 +5,7 @@
 
 #include "analysis/nearest_point.h"
 #include "analysis/sample_neighbours.h"
+#include "core/vector.h"
 
 namespace cdfr {
 namespace {
@@ -25,6 +26,7 @@ void copy_wall(const ThicknessSample& from, ThicknessSample& to) noexcept {
   to.opposite_point = from.opposite_point;
   to.opposite = from.opposite;
   to.opposite_patch = from.opposite_patch;
+  to.opposed = from.opposed;
 }
 
 }  // namespace
@@ -34,6 +36,10 @@ void mark_edge_samples(const TriangleStore& triangles, const SmoothRegions& regi
                        std::span<ThicknessSample> samples) {
   for (ThicknessSample& sample : samples) {
     const std::uint32_t own = slots[sample.triangle];
+    if (sample.opposite != no_index) {
+      const Vec3 normal = rounded(triangles.shape(slots[sample.opposite]).normal);
+      sample.opposed = to_eigen(sample.normal).dot(to_eigen(normal)) < 0;
+    }
     sample.at_edge = sample.opposite != no_index &&
                      regions.adjoin(regions.region(own), regions.region(slots[sample.opposite]));
     if (at == SampleAt::vertices)

@@ -66,7 +66,7 @@ TEST(ThicknessReport, ThinPlacesOfASteppedPlate) {
     EXPECT_GT(place.samples, 100U);
   }
   EXPECT_NEAR(report.places[0].area + report.places[1].area, report.thin_area, 1e-9);
-  EXPECT_EQ(report.thin_area, report.thin_area_off_edges);
+  EXPECT_EQ(report.thin_area, report.thin_wall_area);
   options.thinner_than = report.min;
   const ThicknessReport at_limit = thickness(field, options).value().report;
   EXPECT_EQ(at_limit.thin_area, 0);
@@ -101,6 +101,24 @@ TEST(ThicknessSamples, AreNowhereFartherThanTheSpacing) {
       ASSERT_LE(nearest, options.spacing);
     }
     EXPECT_LT(static_cast<double>(found.samples.size()), 20 * (area / 0.01 + 40 / 0.1));
+  }
+}
+
+/// A block with rounded edges: the ball at a fillet is the fillet's, and no thin wall.
+TEST(ThicknessReport, AFilletIsNoThinWall) {
+  const Field field = Field::build(test::l_junction(0.01).mesh.view()).value();
+  ThicknessOptions options;
+  options.at = SampleAt::spacing;
+  options.spacing = 0.25;
+  const Thickness found = thickness(field, options).value();
+  ASSERT_FALSE(found.report.places.empty());
+  EXPECT_TRUE(found.report.places.front().is_wall());
+  EXPECT_NEAR(found.report.places.front().thickness, 2, 0.05);
+  EXPECT_LT(found.report.min, 1.6);
+  bool walls_over = false;
+  for (const ThinPlace& place : found.report.places) {
+    walls_over |= !place.is_wall();
+    EXPECT_EQ(place.is_wall(), !walls_over) << "walls come first";
   }
 }
 

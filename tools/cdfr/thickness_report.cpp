@@ -43,7 +43,8 @@ Json places_json(const ThicknessReport& report) {
                       {"area", place.area},
                       {"triangle", place.triangle},
                       {"samples", place.samples},
-                      {"at_edge", place.at_edge}});
+                      {"at_edge", place.at_edge},
+                      {"opposed", place.opposed}});
   }
   return places;
 }
@@ -134,20 +135,25 @@ void add_samples(const ThicknessRequest& request, const ThicknessReport& report,
   text.line("smooth regions", count_text(report.regions));
 }
 
+/// Why a place is no thin wall, if it is none.
+std::string held_text(const ThinPlace& place) {
+  if (place.at_edge) return ", at a design edge";
+  return place.opposed ? "" : ", held from its own side";
+}
+
 void add_places(const ThicknessRequest& request, const Input& input, const ThicknessReport& report,
                 TextReport& text) {
   const bool given = request.options.thinner_than > 0;
   text.line(given ? "thinner than" : "at most", short_text(report.thin_limit) + after_number(input.unit) +
                                                     ": " + squared(report.thin_area, input) + ", " +
-                                                    squared(report.thin_area_off_edges, input) +
-                                                    " of it away from design edges");
+                                                    squared(report.thin_wall_area, input) + " of it walls");
   text.line("thin places", count_text(report.place_count));
   for (std::size_t i = 0; i < std::min(places_told, report.places.size()); ++i) {
     const ThinPlace& place = report.places[i];
     text.line("  " + std::to_string(i + 1),
               bounded_text(place.thickness, place.error + place.facet, input.unit) + " at " +
                   short_text(place.position) + ", " + squared(place.area, input) + ", " +
-                  count_text(place.samples) + " samples" + (place.at_edge ? ", at a design edge" : ""));
+                  count_text(place.samples) + " samples" + held_text(place));
   }
 }
 
@@ -196,7 +202,7 @@ Json thickness_json(const ThicknessRequest& request, const Input& input, const T
   json["thin"] = {{"limit", report.thin_limit},
                   {"given", request.options.thinner_than > 0},
                   {"area", report.thin_area},
-                  {"area_off_edges", report.thin_area_off_edges}};
+                  {"wall_area", report.thin_wall_area}};
   json["places"] = places_json(report);
   json["place_count"] = report.place_count;
   add_solid(request, input.field.report(), json);

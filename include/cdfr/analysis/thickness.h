@@ -50,8 +50,8 @@ struct ThicknessOptions {
   bool clearance = false;  ///< the gap outside instead of the wall inside
   /// A ball or ray of more than this finds nothing; 0 takes the diagonal of the box.
   double largest = 0;
-  /// T: what is strictly thinner counts as thin; 0 takes the thinnest twentieth by area away from design
-  /// edges, and all that the tolerances cannot tell from it.
+  /// T: what is strictly thinner counts as thin; 0 takes the thinnest twentieth by area of what is opposed
+  /// and away from design edges, and all that the tolerances cannot tell from it.
   double thinner_than = 0;
   int bins = 20;    ///< of the histogram
   int places = 20;  ///< thinnest places that are listed
@@ -72,6 +72,10 @@ struct ThicknessSample {
   double area = 0;       ///< of the surface that it stands for
   double facet = 0;      ///< D as it was taken here
   bool at_edge = false;  ///< held by a wall across a convex design edge of its own region, or on such an edge
+  /// What holds the ball touches it more than 120 degrees from the sample: a wall that tapers by less
+  /// than 60. Else the ball is held from the sample's own side, by an edge, a fillet or a facet beside it,
+  /// and there is no wall to be thin.
+  bool opposed = false;
 };
 
 /// How the facet tolerance came about.
@@ -80,14 +84,16 @@ struct FacetEstimate {
   std::uint64_t curved_triangles = 0;
 };
 
-/// Connected samples that are thin, away from design edges or at them.
+/// Connected samples that are thin: walls, which are opposed and away from design edges, or others.
 struct ThinPlace {
   Vec3 position;  ///< of its thinnest sample
   double thickness = 0, error = 0, facet = 0;
   double area = 0;
   std::uint32_t triangle = no_index;  ///< of its thinnest sample
   std::uint64_t samples = 0;
-  bool at_edge = false;
+  bool at_edge = false, opposed = false;  ///< of its thinnest sample
+
+  bool is_wall() const noexcept { return opposed && !at_edge; }
 };
 
 /// Weighted by area, over samples where something was met.
@@ -106,8 +112,8 @@ struct ThicknessReport {
   std::vector<double> histogram;  ///< area by bin, of `bins` equal ones from min to max
   double thin_limit = 0;          ///< T, or the greatest of the thinnest twentieth
   double thin_area = 0;           ///< of thin samples
-  double thin_area_off_edges = 0;
-  std::vector<ThinPlace> places;  ///< those away from design edges first, then by thickness
+  double thin_wall_area = 0;      ///< of those that are opposed and away from design edges
+  std::vector<ThinPlace> places;  ///< walls first, then by thickness
   std::uint64_t place_count = 0;  ///< of all, listed or not
 };
 
