@@ -5,7 +5,7 @@
 
 #include "analysis/nearest_point.h"
 #include "analysis/sample_neighbours.h"
-#include "core/vector.h"
+#include "geometry/box_distance.h"
 
 namespace cdfr {
 namespace {
@@ -36,10 +36,9 @@ void mark_edge_samples(const TriangleStore& triangles, const SmoothRegions& regi
                        std::span<ThicknessSample> samples) {
   for (ThicknessSample& sample : samples) {
     const std::uint32_t own = slots[sample.triangle];
-    if (sample.opposite != no_index) {
-      const Vec3 normal = rounded(triangles.shape(slots[sample.opposite]).normal);
-      sample.opposed = to_eigen(sample.normal).dot(to_eigen(normal)) < 0;
-    }
+    const double chord = distance_between(sample.position, sample.opposite_point) + sample.facet;
+    sample.opposed =
+        sample.opposite != no_index && chord * chord > 0.75 * sample.thickness * sample.thickness;
     sample.at_edge = sample.opposite != no_index &&
                      regions.adjoin(regions.region(own), regions.region(slots[sample.opposite]));
     if (at == SampleAt::vertices)

@@ -88,7 +88,8 @@ TEST_F(ThicknessCliTest, PaintsThePart) {
       const Outcome outcome = run(words);
       ASSERT_EQ(outcome.status, 0) << outcome.errors;
       EXPECT_NE(text_of(name).find("thickness"), std::string::npos);
-      EXPECT_NE(text_of(name).find("sha256"), std::string::npos);
+      EXPECT_EQ(text_of(name).find("sha256") == std::string::npos, name == std::string("w.vtp"))
+          << "where notes are numbers";
     }
   }
 }
