@@ -143,10 +143,12 @@ std::string held_text(const ThinPlace& place) {
 
 void add_places(const ThicknessRequest& request, const Input& input, const ThicknessReport& report,
                 TextReport& text) {
+  const std::string limit = short_text(report.thin_limit) + after_number(input.unit);
   const bool given = request.options.thinner_than > 0;
-  text.line(given ? "thinner than" : "at most", short_text(report.thin_limit) + after_number(input.unit) +
-                                                    ": " + squared(report.thin_area, input) + ", " +
-                                                    squared(report.thin_wall_area, input) + " of it walls");
+  text.line(given ? "thinner than " + limit : "thinnest walls",
+            (given ? "" : "5 % of the wall's area is at most " + limit + "; so are ") +
+                squared(report.thin_area, input) + " in all, " + squared(report.thin_wall_area, input) +
+                " of it walls");
   text.line("thin places", count_text(report.place_count));
   for (std::size_t i = 0; i < std::min(places_told, report.places.size()); ++i) {
     const ThinPlace& place = report.places[i];
