@@ -2,8 +2,10 @@
 #pragma once
 
 #include "cdfr/analysis/ball.h"              // IWYU pragma: export
+#include "cdfr/analysis/hot_spots.h"         // IWYU pragma: export
 #include "cdfr/analysis/section_changes.h"   // IWYU pragma: export
 #include "cdfr/analysis/sections.h"          // IWYU pragma: export
+#include "cdfr/analysis/thickness.h"         // IWYU pragma: export
 #include "cdfr/contour/contour.h"            // IWYU pragma: export
 #include "cdfr/contour/mesh.h"               // IWYU pragma: export
 #include "cdfr/core/points.h"                // IWYU pragma: export
