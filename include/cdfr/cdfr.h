@@ -1,6 +1,7 @@
 /// Everything of cdfr in one include.
 #pragma once
 
+#include "cdfr/analysis/thickness.h"         // IWYU pragma: export
 #include "cdfr/contour/contour.h"            // IWYU pragma: export
 #include "cdfr/contour/mesh.h"               // IWYU pragma: export
 #include "cdfr/core/points.h"                // IWYU pragma: export

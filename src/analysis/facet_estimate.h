@@ -1,0 +1,19 @@
+/// How far a tessellation lies from the smooth surface that it stands for.
+#pragma once
+
+#include "analysis/triangle_edges.h"
+#include "cdfr/analysis/thickness.h"
+#include "field/field_data.h"
+
+namespace cdfr {
+
+/// The chord error of a triangle is taken as the sum over its smooth edges of h tan(a / 4) / 2, a the edge's
+/// turn and h the smaller height of the two triangles over it: an arc that turns by a over a chord h has that
+/// sagitta. Exact for a prism round a cylinder, 12 % above the sagitta of a sphere of equilateral triangles.
+/// The smaller height, since a plane that goes over into a fillet has large triangles and no chord error.
+///
+/// Over the mesh the quantile is by curved area: of each triangle the part within those heights of its bent
+/// edges. A triangle is curved if its error exceeds what float32 coordinates can bring about.
+FacetEstimate estimate_facets(const FieldData& field, const TriangleEdges& edges, double sharp);
+
+}  // namespace cdfr
