@@ -16,13 +16,11 @@ namespace {
 
 class RealWalls : public testing::TestWithParam<Model> {
  protected:
-  static constexpr std::size_t few = 30;
-
-  /// `few` samples here and there.
+  /// Samples here and there, as many as brute force looks at in a second.
   std::vector<std::size_t> some(const Thickness& walls) const {
     Random random(17);
-    std::vector<std::size_t> chosen;
-    for (std::size_t i = 0; i < few; ++i) chosen.push_back(random.bits() % walls.samples.size());
+    std::vector<std::size_t> chosen(std::clamp(4'000'000 / mesh.triangles.size(), 30UL, 1500UL));
+    for (std::size_t& i : chosen) i = random.below(walls.samples.size());
     return chosen;
   }
   double ulp() const {
