@@ -58,7 +58,7 @@ FacetEstimate estimate_facets(const FieldData& field, const TriangleEdges& edges
   std::stable_sort(curved.begin(), curved.end(),
                    [](const WeightedValue& a, const WeightedValue& b) { return a.value < b.value; });
   estimate.median = quantile(curved, 0.5);
-  estimate.quantile = quantile(curved, 0.95);
+  estimate.quantile = quantile(curved, 0.99);
   estimate.largest = curved.back().value;
   return estimate;
 }

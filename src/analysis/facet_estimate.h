@@ -12,7 +12,9 @@ namespace cdfr {
 /// sagitta. Exact for a prism round a cylinder, 12 % above the sagitta of a sphere of equilateral triangles.
 /// The smaller height, since a plane that goes over into a fillet has large triangles and no chord error.
 ///
-/// Over the mesh the quantile is by curved area: of each triangle the part within those heights of its bent
+/// Over the mesh nearly the largest counts: a tolerance that is too small by a share of itself makes the ball
+/// at a vertex of a sphere too small by that share, one that is too large adds no more than what it is too
+/// large by. The quantile is by curved area: of each triangle the part within those heights of its bent
 /// edges. A triangle is curved if its error exceeds what float32 coordinates can bring about.
 FacetEstimate estimate_facets(const FieldData& field, const TriangleEdges& edges, double sharp);
 

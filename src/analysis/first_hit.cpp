@@ -1,5 +1,6 @@
 #include "analysis/first_hit.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -95,9 +96,10 @@ class Ray {
     const Vector3d way = to_eigen(shape.vertices[0]) - p_;
     const double rate = n.dot(d_), t = n.dot(way) / rate;
     // Both dot products and the normal round by less than 8u of the lengths in them.
-    const double error = (rounding_ + 0x1p-49 * (way.norm() + std::fabs(t))) / std::fabs(rate);
-    if (!(error < most - least + rounding_)) return {std::max(least, 0.0), most - least + rounding_, slot};
-    return {std::clamp(t, least, most), error, slot};
+    const double rounding = rounding_ + 0x1p-49 * (way.norm() + std::fabs(t));
+    const double error = rounding / std::fabs(rate);
+    if (error <= most - least + 2 * rounding) return {std::clamp(t, least, most), error, slot};
+    return {most < 0 ? most : std::max(least, 0.0), most - least + rounding_, slot};
   }
 
   bool touches(const TriangleShape& shape) const noexcept {

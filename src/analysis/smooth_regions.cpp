@@ -70,7 +70,8 @@ void SmoothRegions::note_design_edge(const TriangleStore& triangles, std::span<c
   for (std::size_t i = 0; i < sides.size(); ++i) {
     for (std::size_t j = i + 1; j < sides.size(); ++j) {
       if (!bends(triangles, sides[i], sides[j], bend)) continue;
-      adjoining_.push_back(std::minmax(regions_[sides[i].slot], regions_[sides[j].slot]));
+      const auto [a, b] = std::minmax(regions_[sides[i].slot], regions_[sides[j].slot]);
+      if (a != b) adjoining_.emplace_back(a, b);
       const auto& vertices = triangles.records[sides[i].slot].vertices;
       at_edge_[vertices[sides[i].side]] = at_edge_[vertices[(sides[i].side + 1) % 3]] = 1;
     }

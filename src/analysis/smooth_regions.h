@@ -26,7 +26,8 @@ class SmoothRegions {
   std::uint32_t count() const noexcept { return count_; }
   /// By slot; numbered by first slot.
   std::uint32_t region(std::uint32_t slot) const noexcept { return regions_[slot]; }
-  /// Do two regions meet at a design edge of that bend?
+  /// Do two regions meet at a design edge of that bend? Never one with itself: a crease that ends within a
+  /// region says nothing of walls elsewhere in it.
   bool adjoin(std::uint32_t a, std::uint32_t b) const noexcept;
   /// Does a design edge of that bend end at this welded vertex?
   bool at_edge(std::uint32_t vertex) const noexcept { return at_edge_[vertex] != 0; }

@@ -1,5 +1,6 @@
 #include "analysis/surface_samples.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

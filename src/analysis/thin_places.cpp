@@ -26,11 +26,11 @@ ThinPlace place_of(std::span<const ThicknessSample> samples, std::span<const std
   return place;
 }
 
-/// The thickest of the thinnest twentieth away from edges, and what its bracket cannot tell from that.
-double default_limit(std::span<const ThicknessSample> samples, double error) {
+/// The thickest of the thinnest twentieth away from edges, and what its tolerances cannot tell from that.
+double default_limit(std::span<const ThicknessSample> samples, double tolerance) {
   std::vector<WeightedValue> off_edges = weighted_thickness(samples, false);
   if (off_edges.empty()) off_edges = weighted_thickness(samples, true);
-  return quantile(off_edges, 0.05) + error;
+  return quantile(off_edges, 0.05) + tolerance;
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ double default_limit(std::span<const ThicknessSample> samples, double error) {
 void find_thin_places(std::span<const ThicknessSample> samples, const SampleNeighbours& neighbours,
                       const ThicknessOptions& options, ThicknessReport& report) {
   const bool given = options.thinner_than > 0;
-  report.thin_limit = given ? options.thinner_than : default_limit(samples, report.error);
+  report.thin_limit = given ? options.thinner_than : default_limit(samples, report.error + report.facet);
   const auto is_thin = [&](double thickness) {
     return given ? thickness < report.thin_limit : thickness <= report.thin_limit;
   };

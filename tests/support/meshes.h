@@ -23,12 +23,9 @@ inline Mesh box_mesh(const Box& b) {
   return mesh;
 }
 
-/// An octahedron divided `times` times, its vertices on the sphere of that radius to an ulp: 8 * 4^times
-/// triangles.
-inline Mesh sphere_mesh(int times, double radius = 1, Vec3 centre = {}) {
-  Mesh mesh;
-  mesh.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  mesh.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+/// Each triangle cut in four `times` times, all vertices on the sphere of that radius to an ulp.
+/// Precondition: those of `mesh` are on the unit sphere.
+inline Mesh divided_sphere(Mesh mesh, int times, double radius, Vec3 centre) {
   for (int t = 0; t < times; ++t) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
@@ -52,6 +49,26 @@ inline Mesh sphere_mesh(int times, double radius = 1, Vec3 centre = {}) {
   for (Vec3& v : mesh.vertices)
     v = {centre.x + v.x * radius, centre.y + v.y * radius, centre.z + v.z * radius};
   return mesh;
+}
+
+/// Of an octahedron: 8 * 4^times triangles.
+inline Mesh sphere_mesh(int times, double radius = 1, Vec3 centre = {}) {
+  Mesh mesh;
+  mesh.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  mesh.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  return divided_sphere(std::move(mesh), times, radius, centre);
+}
+
+/// Of an icosahedron: 20 * 4^times triangles, all nearly equilateral.
+inline Mesh icosphere(int times, double radius = 1, Vec3 centre = {}) {
+  const double a = std::sqrt((5 - std::sqrt(5.0)) / 10), b = std::sqrt((5 + std::sqrt(5.0)) / 10);
+  Mesh mesh;
+  mesh.vertices = {{-a, b, 0},  {a, b, 0},  {-a, -b, 0}, {a, -b, 0}, {0, -a, b},  {0, a, b},
+                   {0, -a, -b}, {0, a, -b}, {b, 0, -a},  {b, 0, a},  {-b, 0, -a}, {-b, 0, a}};
+  mesh.triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                    {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                    {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+  return divided_sphere(std::move(mesh), times, radius, centre);
 }
 
 /// Triangles with corners anywhere in the box: open, crossing, of all shapes.

@@ -50,8 +50,9 @@ struct ThicknessOptions {
   bool clearance = false;  ///< the gap outside instead of the wall inside
   /// A ball or ray of more than this finds nothing; 0 takes the diagonal of the box.
   double largest = 0;
-  double thinner_than =
-      0;            ///< T: what is strictly thinner counts as thin; 0 takes the thinnest twentieth by area
+  /// T: what is strictly thinner counts as thin; 0 takes the thinnest twentieth by area away from design
+  /// edges, and all that the tolerances cannot tell from it.
+  double thinner_than = 0;
   int bins = 20;    ///< of the histogram
   int places = 20;  ///< thinnest places that are listed
 };
@@ -74,7 +75,7 @@ struct ThicknessSample {
 
 /// How the facet tolerance came about.
 struct FacetEstimate {
-  double median = 0, quantile = 0, largest = 0;  ///< chord error of curved triangles; quantile: 95 % by area
+  double median = 0, quantile = 0, largest = 0;  ///< chord error of curved triangles; quantile: 99 % by area
   std::uint64_t curved_triangles = 0;
 };
 
