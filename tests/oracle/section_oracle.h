@@ -28,8 +28,8 @@ class SectionGrid {
  public:
   SectionGrid(const Field& field, double depth, std::size_t samples);
 
-  /// By the largest ball. A patch may hold nothing deeper than T: then its volume's and its radius's low ends
-  /// are 0.
+  /// In the order of their first samples. A patch may hold nothing deeper than T: then its volume's and its
+  /// radius's low ends are 0.
   const std::vector<SectionPatch>& patches() const noexcept { return patches_; }
   double spacing() const noexcept { return grid_.spacing.x; }
   /// Half the diagonal of a cube: no point of it is farther from its sample.

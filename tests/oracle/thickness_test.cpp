@@ -7,6 +7,7 @@
 
 #include "cdfr/analysis/thickness.h"
 #include "oracle/random.h"
+#include "oracle/random_solids.h"
 #include "oracle/real_parts.h"
 #include "oracle/vectors.h"
 #include "oracle/wall_oracle.h"
@@ -99,6 +100,71 @@ TEST_P(RealWalls, NoBallIsLargerThanTheDeepest) {
   const Deepest deepest = field.deepest().value();
   const double bound = 2 * (deepest.depth + deepest.error + walls.report.facet) + 64 * ulp();
   for (const ThicknessSample& s : walls.samples) ASSERT_LE(s.thickness, bound);
+}
+
+class RandomWalls : public testing::TestWithParam<int> {
+ protected:
+  Random random{static_cast<std::uint64_t>(GetParam())};
+  const Mesh mesh = random_solid(random);
+  const Field field = Field::build(mesh.view()).value();
+};
+INSTANTIATE_TEST_SUITE_P(Solids, RandomWalls, testing::Range(0, 25));
+
+TEST_P(RandomWalls, BallsAgreeWithBisection) {
+  const double largest = length(minus(field.bounds().hi, field.bounds().lo));
+  for (const double facet : {1e-6, 0.01, 0.3}) {
+    for (const bool outside : {false, true}) {
+      ThicknessOptions options;
+      options.facet = facet;
+      options.at = SampleAt::spacing;
+      options.spacing = 0.3;
+      options.clearance = outside;
+      const Thickness walls = thickness(field, options).value();
+      const double way = outside ? -1 : 1;
+      const Depth depth = [&](const Vec3& p) { return -way * field.distance(p); };
+      for (const ThicknessSample& s : walls.samples) {
+        const Range truth = ball_diameter(depth, {s.position, times(way, s.normal), facet, largest, 1e-13});
+        ASSERT_EQ(std::isnan(s.thickness), truth.low > largest) << s.thickness << " of " << truth.low;
+        if (std::isnan(s.thickness)) continue;
+        ASSERT_TRUE(truth.meets(s.thickness, s.thickness + s.error))
+            << s.thickness << " + " << s.error << " not in " << truth.low << " to " << truth.high << " facet "
+            << facet << " outside " << outside;
+      }
+    }
+  }
+}
+
+TEST_P(RandomWalls, RaysEndAtTheFirstTriangle) {
+  ThicknessOptions options;
+  options.method = ThicknessMethod::ray;
+  options.at = SampleAt::spacing;
+  options.spacing = 0.3;
+  for (const bool outside : {false, true}) {
+    options.clearance = outside;
+    for (const ThicknessSample& s : thickness(field, options).value().samples) {
+      const Range truth = first_hit(mesh.view(), s.position, times(outside ? -1 : 1, s.normal), s.triangle);
+      if (truth.low <= 1e-12) continue;
+      if (std::isnan(s.thickness)) {
+        ASSERT_GE(truth.high, 1) << "nothing was met, but there is a triangle";
+        continue;
+      }
+      ASSERT_TRUE(truth.meets(s.thickness - s.error - 1e-14, s.thickness + s.error + 1e-14))
+          << s.thickness << " not in " << truth.low << " to " << truth.high << " outside " << outside;
+    }
+  }
+}
+
+// More tolerance makes no wall thinner.
+TEST_P(RandomWalls, GrowWithTheTolerance) {
+  Thickness before;
+  for (const double facet : {0.0, 1e-9, 1e-3, 0.03, 0.5, 2.0}) {
+    ThicknessOptions options;
+    options.facet = facet;
+    Thickness walls = thickness(field, options).value();
+    for (std::size_t i = 0; i < before.samples.size(); ++i)
+      ASSERT_LE(before.samples[i].thickness, walls.samples[i].thickness + walls.samples[i].error + 1e-13);
+    before = std::move(walls);
+  }
 }
 
 }  // namespace
