@@ -1,0 +1,46 @@
+/// Which cells belong together: for certain, or perhaps.
+///
+/// A core is a set of cells whose core points hang together by straight ways, all deeper than T, so it lies in one
+/// component of {depth > T}. Two
+/// cells whose possible parts reach a common face without such a way are a doubt. All
+/// of a component of {depth > T} lies in cells that are linked by cores and doubts, as its points on a face
+/// between two cells lie in the possible parts of both.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "analysis/cell_index.h"
+#include "analysis/heavy_cell.h"
+#include "core/progress.h"
+#include "mesh/disjoint_sets.h"
+
+namespace cdfr {
+
+/// Two cells, by number.
+struct Doubt {
+  std::uint32_t a, b;
+};
+
+struct CellJoins {
+  DisjointSets cores;         ///< over the cells
+  std::vector<Doubt> doubts;  ///< between different sets
+};
+
+CellJoins join_cells(const CoreRule& rule, std::span<const HeavyCell> cells, const CellIndex& index, Progress& progress);
+
+/// Cells without a core that are linked by doubts, and the cores that they touch.
+struct DoubtCluster {
+  std::vector<std::uint32_t> cells;  ///< ascending
+  std::vector<std::uint32_t> cores;  ///< roots, ascending
+};
+
+/// `core_of(i)` is the root of cell i's core, or no_index if it has none. Clusters ascend by their first
+/// cells.
+std::vector<DoubtCluster> doubt_clusters(std::span<const Doubt> doubts,
+                                         const std::function<std::uint32_t(std::uint32_t)>& core_of);
+
+}  // namespace cdfr

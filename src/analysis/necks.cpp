@@ -1,0 +1,197 @@
+#include "analysis/necks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <unordered_set>
+
+#include "analysis/heavy_descent.h"
+
+namespace cdfr {
+namespace {
+
+constexpr int most_rounds = 5;
+/// Cubes that may be looked at in one round.
+constexpr std::size_t most_halved = std::size_t{1} << 16;
+
+/// Cells in doubt, halved on top of the cells that were found first. A number below cells.size() is one of
+/// those, the others are halved ones.
+class Overlay {
+ public:
+  Overlay(const FieldData& field, const Threshold& threshold, std::span<const HeavyCell> cells,
+          const CellIndex& index, CellJoins& joins)
+      : field_(field), threshold_(threshold), rule_(threshold, field.tree.lattice), cells_(cells),
+        index_(index),
+        joins_(joins),
+        doubts_(joins.doubts) {}
+
+  NeckFindings run(Progress& progress) {
+    std::vector<std::uint32_t> between;
+    for (int round = 0; round < most_rounds && progress.poll(); ++round) {
+      between = cells_between();
+      if (between.empty() || between.size() * 8 > most_halved) break;
+      // Half the diagonal of the largest decides how far this round goes.
+      double largest = 0;
+      for (const std::uint32_t i : between) largest = std::max(largest, half_of(cell(i)));
+      finer_.error = std::sqrt(3.0) * largest * field_.tree.lattice.edge / 2 * (1 + 0x1p-40);
+      finer_.flat /= 2;
+      std::vector<std::uint32_t> made;
+      bool any = false;
+      for (const std::uint32_t i : between) any = halve(i, made) || any;
+      for (const std::uint32_t i : made) link(i);
+      if (!any) break;
+    }
+    report();
+    return findings_;
+  }
+
+ private:
+  const HeavyCell& cell(std::uint32_t i) const noexcept {
+    return i < cells_.size() ? cells_[i] : halved_[i - cells_.size()];
+  }
+  std::uint32_t root(std::uint32_t i) noexcept { return static_cast<std::uint32_t>(joins_.cores.root(i)); }
+  /// A set's root is its lowest number, so a set with one of the first cells has one for its root. Of more
+  /// than one cell all have cores.
+  std::uint32_t core_of(std::uint32_t i) noexcept {
+    const std::uint32_t r = root(i);
+    return r < cells_.size() && has_core(rule_, cells_[r]) ? r : no_index;
+  }
+
+  std::vector<DoubtCluster> clusters() {
+    std::erase_if(doubts_, [&](const Doubt& d) {
+      return gone_.contains(d.a) || gone_.contains(d.b) || root(d.a) == root(d.b);
+    });
+    return doubt_clusters(doubts_, [this](std::uint32_t i) { return core_of(i); });
+  }
+
+  /// All that lie between different cores.
+  std::vector<std::uint32_t> cells_between() {
+    std::vector<std::uint32_t> between;
+    for (const DoubtCluster& cluster : clusters()) {
+      if (cluster.cores.size() > 1) between.insert(between.end(), cluster.cells.begin(), cluster.cells.end());
+    }
+    for (const Doubt& doubt : doubts_) {
+      if (core_of(doubt.a) == no_index || core_of(doubt.b) == no_index) continue;
+      between.insert(between.end(), {doubt.a, doubt.b});
+    }
+    std::sort(between.begin(), between.end());
+    between.erase(std::unique(between.begin(), between.end()), between.end());
+    return between;
+  }
+
+  /// False if the lattice ends here.
+  bool halve(std::uint32_t i, std::vector<std::uint32_t>& made) {
+    const HeavyCell whole = cell(i);
+    const Cell at = cell_of(whole.key);
+    if (at.level >= deepest_level) return false;
+    HeavyCells octants;
+    HeavyDescent(field_, finer_, octants).refine(at);
+    findings_.looks += octants.looks;
+    gone_.insert(i);
+    by_place_.erase(Span::of(whole.key).first);
+    for (const HeavyCell& octant : octants.cells) {
+      const auto number = static_cast<std::uint32_t>(joins_.cores.add());
+      halved_.push_back(octant);
+      by_place_[Span::of(octant.key).first] = number;
+      if (cores_join(rule_, whole, octant)) joins_.cores.join(i, number);
+      made.push_back(number);
+    }
+    return true;
+  }
+
+  /// The joins of a halved cell with all that it touches.
+  void link(std::uint32_t i) {
+    for (const std::uint32_t j : neighbours(i)) {
+      const bool is_smaller = half_of(cell(i)) <= half_of(cell(j));
+      const Touch touch = is_smaller ? touch_of(rule_, cell(i), cell(j)) : touch_of(rule_, cell(j), cell(i));
+      if (touch == Touch::certain) joins_.cores.join(i, j);
+      if (touch == Touch::possible) doubts_.push_back({i, j});
+    }
+  }
+
+  std::vector<std::uint32_t> neighbours(std::uint32_t i) const {
+    std::vector<std::uint32_t> found;
+    const Span own = Span::of(cell(i).key);
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const bool up : {false, true}) {
+        std::uint64_t place = 0;
+        if (CellIndex::beside(own, axis, up, place)) collect({place, own.level}, axis, up, found);
+      }
+    }
+    return found;
+  }
+
+  /// The cells that touch the face of a cube of space: one that holds it, or those in it on that face.
+  void collect(const Span& cube, int axis, bool up, std::vector<std::uint32_t>& found) const {
+    const std::uint32_t holder = at(cube.first);
+    if (holder != no_index && Span::of(cell(holder).key).level <= cube.level) return found.push_back(holder);
+    if (!is_any_in(cube)) return;
+    for (std::uint64_t child = 0; child < 8; ++child) {
+      if (((child >> axis & 1U) != 0) == up) continue;
+      const Span part{cube.first + child * (cube.size() / 8), cube.level + 1};
+      collect(part, axis, up, found);
+    }
+  }
+
+  std::uint32_t at(std::uint64_t place) const {
+    const auto after = by_place_.upper_bound(place);
+    if (after != by_place_.begin()) {
+      const std::uint32_t i = std::prev(after)->second;
+      const Span span = Span::of(cell(i).key);
+      if (place - span.first < span.size()) return i;
+    }
+    const std::size_t i = index_.at(place);
+    if (i == CellIndex::none || gone_.contains(static_cast<std::uint32_t>(i))) return no_index;
+    return static_cast<std::uint32_t>(i);
+  }
+
+  bool is_any_in(const Span& cube) const {
+    if (cube.level >= deepest_level) return false;
+    const auto halved = by_place_.lower_bound(cube.first);
+    if (halved != by_place_.end() && halved->first - cube.first < cube.size()) return true;
+    return index_.is_any_in(cube);
+  }
+
+  void report() {
+    const auto tell = [&](std::uint32_t a, std::uint32_t b, std::uint32_t where) {
+      const std::uint32_t first = std::min(a, b), second = std::max(a, b);
+      for (const OpenNeck& open : findings_.open) {
+        if (open.first == first && open.second == second) return;
+      }
+      const Lattice& lattice = field_.tree.lattice;
+      findings_.open.push_back({first, second, lattice.centre(cell_of(cell(where).key))});
+    };
+    for (const DoubtCluster& cluster : clusters()) {
+      for (std::size_t k = 1; k < cluster.cores.size(); ++k)
+        tell(cluster.cores[0], cluster.cores[k], cluster.cells[cluster.cells.size() / 2]);
+    }
+    for (const Doubt& doubt : doubts_) {
+      const std::uint32_t a = core_of(doubt.a), b = core_of(doubt.b);
+      if (a != no_index && b != no_index && a != b) tell(a, b, doubt.a);
+    }
+  }
+
+  const FieldData& field_;
+  const Threshold& threshold_;
+  CoreRule rule_;
+  std::span<const HeavyCell> cells_;
+  const CellIndex& index_;
+  CellJoins& joins_;
+  std::vector<Doubt> doubts_;
+  Threshold finer_ = threshold_;
+  std::vector<HeavyCell> halved_;
+  std::map<std::uint64_t, std::uint32_t> by_place_;  ///< of halved cells that are not gone
+  std::unordered_set<std::uint32_t> gone_;           ///< halved themselves
+  NeckFindings findings_;
+};
+
+}  // namespace
+
+NeckFindings look_at_necks(const FieldData& field, const Threshold& threshold,
+                           std::span<const HeavyCell> cells, const CellIndex& index, CellJoins& joins,
+                           Progress& progress) {
+  return Overlay(field, threshold, cells, index, joins).run(progress);
+}
+
+}  // namespace cdfr

@@ -1,0 +1,37 @@
+/// Do two cores join? Looked at closer, where they may.
+///
+/// Cells in doubt that lie between different cores are halved, then what of them still is, until the cores
+/// are joined for certain, or nothing links them, or cells are 2^-5 of what they were or too many. Each round
+/// keeps what the cells' joins say of components: the octants of a cell hold all of it that is deeper than T,
+/// and a core that a cell gave stays one, tied to those octants that it joins.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "analysis/cell_index.h"
+#include "analysis/cell_joins.h"
+#include "analysis/heavy_cell.h"
+#include "core/progress.h"
+#include "field/field_data.h"
+
+namespace cdfr {
+
+/// Two cores of which it stays open whether they are one.
+struct OpenNeck {
+  std::uint32_t first, second;  ///< roots in CellJoins::cores
+  Vec3 place;
+};
+
+struct NeckFindings {
+  std::vector<OpenNeck> open;  ///< each pair once
+  std::uint64_t looks = 0;
+};
+
+/// Joins cores in `joins`; its doubts stay as they are.
+NeckFindings look_at_necks(const FieldData& field, const Threshold& threshold,
+                           std::span<const HeavyCell> cells, const CellIndex& index, CellJoins& joins,
+                           Progress& progress);
+
+}  // namespace cdfr
