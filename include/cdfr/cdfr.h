@@ -9,6 +9,7 @@
 #include "cdfr/core/run.h"                   // IWYU pragma: export
 #include "cdfr/core/sinks.h"                 // IWYU pragma: export
 #include "cdfr/core/types.h"                 // IWYU pragma: export
+#include "cdfr/export/painted.h"             // IWYU pragma: export
 #include "cdfr/export/write.h"               // IWYU pragma: export
 #include "cdfr/field/field.h"                // IWYU pragma: export
 #include "cdfr/field/plan.h"                 // IWYU pragma: export

@@ -64,6 +64,7 @@ class Comparison {
     if (progress_.cancelled()) return;
     const double sign = options_.clearance ? 1 : -1;
     for (std::uint32_t i = 0; i < samples.size(); ++i) {
+      if (samples[i].at_edge) continue;
       const std::uint32_t slot = slots[closest[i].triangle];
       const Eigen::Vector3d normal = to_eigen(rounded(former_.triangles.shape(slot).normal));
       if (!(std::fabs(closest[i].distance) <= reach)) continue;
@@ -98,7 +99,7 @@ class Comparison {
     std::vector<std::uint32_t> thinned;
     for (std::uint32_t i = 0; i < samples.size(); ++i) {
       const bool compared = !std::isnan(former[i]) && !std::isnan(samples[i].thickness);
-      ++(compared ? result.compared : result.unmatched);
+      ++(samples[i].at_edge ? result.at_edge : compared ? result.compared : result.unmatched);
       if (!(former[i] - samples[i].thickness > result.change)) continue;
       thinned.push_back(i);
       result.area += samples[i].area;

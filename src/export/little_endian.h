@@ -17,6 +17,7 @@ class Record {
   void append(std::uint8_t value) noexcept { append_bytes(value, 1); }
   void append(std::uint16_t value) noexcept { append_bytes(value, 2); }
   void append(std::uint32_t value) noexcept { append_bytes(value, 4); }
+  void append(std::uint64_t value) noexcept { append_bytes(value, 8); }
   void append(float value) noexcept { append_bytes(std::bit_cast<std::uint32_t>(value), 4); }
   void append(double value) noexcept { append_bytes(std::bit_cast<std::uint64_t>(value), 8); }
 

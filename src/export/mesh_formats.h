@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cdfr/core/result.h"
+#include "cdfr/export/painted.h"
 #include "cdfr/mesh/mesh.h"
 #include "core/whole_file.h"
 
@@ -12,8 +13,9 @@ namespace cdfr {
 /// coordinate beyond float32.
 Result<void> write_stl(MeshView mesh, WholeFile& file);
 
-/// Binary little endian PLY: double coordinates, uint indices, and `uint patch` a face if there are patches.
-Result<void> write_ply(MeshView mesh, WholeFile& file);
+/// Binary little endian PLY: double coordinates, uint indices, the arrays, `uint patch` a face if there are
+/// patches, and colours if an array is painted.
+Result<void> write_ply(const PaintedMesh& painted, WholeFile& file);
 
 /// OBJ, with a `g patch_ID` line wherever the patch changes, so that triangles keep their numbers.
 Result<void> write_obj(MeshView mesh, WholeFile& file);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cdfr/version.h"
+#include "export/glb_format.h"
 #include "export/little_endian.h"
 #include "export/point_formats.h"
 
@@ -17,16 +18,12 @@ namespace cdfr {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Float3 = std::array<float, 3>;
 
-constexpr std::uint32_t chunk_header_bytes = 8;
-constexpr std::uint32_t json_start = 12 + chunk_header_bytes;
+using namespace glb;
+
 constexpr std::uint32_t json_bytes = 2048;
 constexpr std::uint32_t points_start = json_start + json_bytes + chunk_header_bytes;
 constexpr std::uint32_t point_bytes = 24;
-// Of the GLB and glTF 2.0 specification.
-constexpr std::uint32_t magic = 0x46546c67, version_2 = 2, json_chunk = 0x4e4f534a, binary_chunk = 0x004e4942;
-constexpr int float_component = 5126, vertex_target = 34962, points_mode = 0;
 
 class GlbPoints final : public PointFormat {
  public:

@@ -7,6 +7,7 @@
 #include "analysis/shapes.h"
 #include "analysis/smooth_regions.h"
 #include "cdfr/analysis/thickness.h"
+#include "field/field_data.h"
 #include "support/meshes.h"
 
 namespace cdfr {

@@ -106,7 +106,7 @@ double radius_in_solid(const test::Shape& shape, const test::Place& place, doubl
   for (int i = 0; i < 100; ++i) {
     const double r = (low + high) / 2;
     const double depth = shape.depth(ahead(place.point, negative(place.normal), r));
-    (depth > 0 && r - depth <= facet ? low : high) = r;
+    (depth > 0 && r - depth <= facet + 1e-12 ? low : high) = r;
   }
   return low;
 }

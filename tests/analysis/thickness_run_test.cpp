@@ -128,7 +128,8 @@ TEST(ThicknessExtremes, ScaleWithThePart) {
   }
   const Field far =
       Field::build(test::moved(test::box_mesh({{0, 0, 0}, {8, 8, 1}}), {1e9, -1e9, 1e9}).view()).value();
-  for (const ThicknessSample& sample : thickness(far).value().samples) {
+  const Thickness of_far = thickness(far).value();
+  for (const ThicknessSample& sample : of_far.samples) {
     if (std::fabs(sample.normal.z) > 0.5) {
       EXPECT_NEAR(sample.thickness, 1, 1e-3);
     }
@@ -182,7 +183,8 @@ TEST(ThicknessExtremes, OfBadMeshesEndInNumbers) {
         ThicknessOptions options;
         options.method = method;
         options.at = at;
-        for (const ThicknessSample& sample : thickness(field, options).value().samples) {
+        const Thickness found = thickness(field, options).value();
+        for (const ThicknessSample& sample : found.samples) {
           if (!std::isnan(sample.thickness)) {
             EXPECT_GE(sample.thickness, 0);
             EXPECT_NE(sample.opposite, no_index);

@@ -34,6 +34,7 @@ class PlyParse {
     EXPECT_EQ(at_, bytes_.size()) << "bytes after the last element";
   }
   std::vector<PlyElement> elements;
+  std::vector<std::string> comments;
 
  private:
   std::string line() {
@@ -52,7 +53,10 @@ class PlyParse {
       std::istringstream words(text);
       std::string word;
       words >> word;
-      if (word == "comment") continue;
+      if (word == "comment") {
+        comments.push_back(text.substr(8));
+        continue;
+      }
       if (word == "element") {
         PlyElement element;
         std::string count;
@@ -83,6 +87,8 @@ class PlyParse {
           row.push_back(next<double>());
         } else if (type == "uint") {
           row.push_back(next<std::uint32_t>());
+        } else if (type == "uchar") {
+          row.push_back(next<std::uint8_t>());
         } else {
           EXPECT_EQ(property, "list uchar uint vertex_indices");
           const double length = next<std::uint8_t>();

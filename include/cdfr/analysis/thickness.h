@@ -148,9 +148,10 @@ struct ThinnedPlace {
 
 struct Thinning {
   double reach = 0, change = 0;  ///< as they were taken
-  std::uint64_t compared = 0,
-                unmatched = 0;       ///< samples; unmatched: no former surface near that faces as they do
-  double area = 0;                   ///< that thinned
+  std::uint64_t compared = 0;    ///< samples
+  std::uint64_t at_edge = 0;  ///< left out: a ball that an edge holds shrinks with the way to the edge alone
+  std::uint64_t unmatched = 0;  ///< no former surface near that faces as they do, or nothing met on one side
+  double area = 0;              ///< that thinned
   std::vector<ThinnedPlace> places;  ///< connected samples that thinned, by what they lost
 };
 
