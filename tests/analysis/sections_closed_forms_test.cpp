@@ -82,7 +82,8 @@ TEST_P(SectionsOf, NestWithDepth) {
   double before = shape.volume * 2;
   for (const double share : {0.2, 0.45, 0.7, 0.95}) {
     double volume = 0, doubt = 0;
-    for (const Section& section : found(share * deepest).sections) {
+    const Sections sections = found(share * deepest);
+    for (const Section& section : sections.sections) {
       volume += section.volume;
       doubt += section.volume_error;
       for (const double way :

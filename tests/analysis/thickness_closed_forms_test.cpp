@@ -138,7 +138,8 @@ TEST_P(ThicknessOf, NoBallIsLargerThanTheLargest) {
     ThicknessOptions options;
     options.facet = facet;
     const double bound = 2 * (shape.balls.front().radius + shape.error) + 2 * facet + rounding;
-    for (const ThicknessSample& s : measured(options).samples) ASSERT_LE(s.thickness, bound);
+    const Thickness walls = measured(options);
+    for (const ThicknessSample& s : walls.samples) ASSERT_LE(s.thickness, bound);
   }
 }
 
