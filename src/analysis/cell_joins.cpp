@@ -13,6 +13,68 @@ void make_unique(std::vector<std::uint32_t>& numbers) {
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
+/// Those of the doubts' cells that have no core.
+std::vector<std::uint32_t> loose_cells(std::span<const Doubt> doubts, const CoreOf& core_of) {
+  std::vector<std::uint32_t> loose;
+  for (const Doubt& doubt : doubts) {
+    for (const std::uint32_t cell : {doubt.a, doubt.b}) {
+      if (core_of(cell) == no_index) loose.push_back(cell);
+    }
+  }
+  make_unique(loose);
+  return loose;
+}
+
+/// Breadth first from the cores over the cells in doubt.
+class Territories {
+ public:
+  Territories(std::span<const Doubt> doubts, const CoreOf& core_of)
+      : core_of_(core_of), loose_(loose_cells(doubts, core_of)), label_(loose_.size(), no_index) {
+    for (const Doubt& doubt : doubts) {
+      add(doubt.a, doubt.b);
+      add(doubt.b, doubt.a);
+    }
+    std::sort(links_.begin(), links_.end());
+    std::vector<std::uint32_t> border = std::move(first_);
+    for (std::size_t next = 0; next < border.size(); ++next) {
+      auto link = std::lower_bound(links_.begin(), links_.end(), Link{border[next], 0});
+      for (; link != links_.end() && link->from == border[next]; ++link) {
+        if (label_[link->to] != no_index) continue;
+        label_[link->to] = label_[border[next]];
+        border.push_back(link->to);
+      }
+    }
+  }
+
+  /// no_index beyond all cores.
+  std::uint32_t of(std::uint32_t cell) const {
+    const std::uint32_t core = core_of_(cell);
+    return core != no_index ? core : label_[place(cell)];
+  }
+
+ private:
+  /// Places among the loose cells.
+  struct Link {
+    std::uint32_t from, to;
+    friend auto operator<=>(const Link&, const Link&) = default;
+  };
+
+  std::uint32_t place(std::uint32_t cell) const {
+    return static_cast<std::uint32_t>(std::lower_bound(loose_.begin(), loose_.end(), cell) - loose_.begin());
+  }
+  void add(std::uint32_t from, std::uint32_t to) {
+    if (core_of_(from) != no_index) return;
+    const std::uint32_t own = place(from), core = core_of_(to);
+    if (core == no_index) return void(links_.push_back({own, place(to)}));
+    if (label_[own] == no_index) first_.push_back(own);
+    label_[own] = std::min(label_[own], core);
+  }
+
+  const CoreOf& core_of_;
+  std::vector<std::uint32_t> loose_, label_, first_;
+  std::vector<Link> links_;
+};
+
 }  // namespace
 
 CellJoins join_cells(const CoreRule& rule, std::span<const HeavyCell> cells, const CellIndex& index, Progress& progress) {
@@ -31,15 +93,8 @@ CellJoins join_cells(const CoreRule& rule, std::span<const HeavyCell> cells, con
   return joins;
 }
 
-std::vector<DoubtCluster> doubt_clusters(std::span<const Doubt> doubts,
-                                         const std::function<std::uint32_t(std::uint32_t)>& core_of) {
-  std::vector<std::uint32_t> loose;
-  for (const Doubt& doubt : doubts) {
-    for (const std::uint32_t cell : {doubt.a, doubt.b}) {
-      if (core_of(cell) == no_index) loose.push_back(cell);
-    }
-  }
-  make_unique(loose);
+std::vector<DoubtCluster> doubt_clusters(std::span<const Doubt> doubts, const CoreOf& core_of) {
+  const std::vector<std::uint32_t> loose = loose_cells(doubts, core_of);
   const auto place = [&](std::uint32_t cell) {
     return static_cast<std::size_t>(std::lower_bound(loose.begin(), loose.end(), cell) - loose.begin());
   };
@@ -68,6 +123,17 @@ std::vector<DoubtCluster> doubt_clusters(std::span<const Doubt> doubts,
   }
   for (DoubtCluster& cluster : clusters) make_unique(cluster.cores);
   return clusters;
+}
+
+std::vector<Seam> seams_between(std::span<const Doubt> doubts, const CoreOf& core_of) {
+  const Territories territories(doubts, core_of);
+  std::vector<Seam> seams;
+  for (const Doubt& doubt : doubts) {
+    const std::uint32_t a = territories.of(doubt.a), b = territories.of(doubt.b);
+    if (a == no_index || b == no_index || a == b) continue;
+    seams.push_back({std::min(a, b), std::max(a, b), doubt});
+  }
+  return seams;
 }
 
 }  // namespace cdfr

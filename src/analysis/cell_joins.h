@@ -32,15 +32,23 @@ struct CellJoins {
 
 CellJoins join_cells(const CoreRule& rule, std::span<const HeavyCell> cells, const CellIndex& index, Progress& progress);
 
+/// The root of a cell's core, or no_index if it has none.
+using CoreOf = std::function<std::uint32_t(std::uint32_t)>;
+
 /// Cells without a core that are linked by doubts, and the cores that they touch.
 struct DoubtCluster {
   std::vector<std::uint32_t> cells;  ///< ascending
   std::vector<std::uint32_t> cores;  ///< roots, ascending
 };
 
-/// `core_of(i)` is the root of cell i's core, or no_index if it has none. Clusters ascend by their first
-/// cells.
-std::vector<DoubtCluster> doubt_clusters(std::span<const Doubt> doubts,
-                                         const std::function<std::uint32_t(std::uint32_t)>& core_of);
+/// Clusters ascend by their first cells.
+std::vector<DoubtCluster> doubt_clusters(std::span<const Doubt> doubts, const CoreOf& core_of);
+
+/// Where the territories of two cores meet: each cell in doubt is in that of the core to which fewest steps lead.
+struct Seam {
+  std::uint32_t first, second;  ///< roots, first < second
+  Doubt doubt;
+};
+std::vector<Seam> seams_between(std::span<const Doubt> doubts, const CoreOf& core_of);
 
 }  // namespace cdfr

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <unordered_set>
 
 #include "analysis/heavy_descent.h"
@@ -11,7 +12,7 @@
 namespace cdfr {
 namespace {
 
-constexpr int most_rounds = 5;
+constexpr int most_rounds = 8;
 /// Cubes that may be looked at in one round.
 constexpr std::size_t most_halved = std::size_t{1} << 16;
 
@@ -58,23 +59,17 @@ class Overlay {
     return r < cells_.size() && has_core(rule_, cells_[r]) ? r : no_index;
   }
 
-  std::vector<DoubtCluster> clusters() {
+  std::vector<Seam> seams() {
     std::erase_if(doubts_, [&](const Doubt& d) {
       return gone_.contains(d.a) || gone_.contains(d.b) || root(d.a) == root(d.b);
     });
-    return doubt_clusters(doubts_, [this](std::uint32_t i) { return core_of(i); });
+    return seams_between(doubts_, [this](std::uint32_t i) { return core_of(i); });
   }
 
-  /// All that lie between different cores.
+  /// All that lie where different cores meet.
   std::vector<std::uint32_t> cells_between() {
     std::vector<std::uint32_t> between;
-    for (const DoubtCluster& cluster : clusters()) {
-      if (cluster.cores.size() > 1) between.insert(between.end(), cluster.cells.begin(), cluster.cells.end());
-    }
-    for (const Doubt& doubt : doubts_) {
-      if (core_of(doubt.a) == no_index || core_of(doubt.b) == no_index) continue;
-      between.insert(between.end(), {doubt.a, doubt.b});
-    }
+    for (const Seam& seam : seams()) between.insert(between.end(), {seam.doubt.a, seam.doubt.b});
     std::sort(between.begin(), between.end());
     between.erase(std::unique(between.begin(), between.end()), between.end());
     return between;
@@ -153,22 +148,20 @@ class Overlay {
     return index_.is_any_in(cube);
   }
 
+  /// Of each pair the place that lies deepest.
   void report() {
-    const auto tell = [&](std::uint32_t a, std::uint32_t b, std::uint32_t where) {
-      const std::uint32_t first = std::min(a, b), second = std::max(a, b);
-      for (const OpenNeck& open : findings_.open) {
-        if (open.first == first && open.second == second) return;
-      }
-      const Lattice& lattice = field_.tree.lattice;
-      findings_.open.push_back({first, second, lattice.centre(cell_of(cell(where).key))});
-    };
-    for (const DoubtCluster& cluster : clusters()) {
-      for (std::size_t k = 1; k < cluster.cores.size(); ++k)
-        tell(cluster.cores[0], cluster.cores[k], cluster.cells[cluster.cells.size() / 2]);
-    }
-    for (const Doubt& doubt : doubts_) {
-      const std::uint32_t a = core_of(doubt.a), b = core_of(doubt.b);
-      if (a != no_index && b != no_index && a != b) tell(a, b, doubt.a);
+    std::vector<Seam> open = seams();
+    const auto over = [&](const Seam& seam) { return std::max(cell(seam.doubt.a).over, cell(seam.doubt.b).over); };
+    std::stable_sort(open.begin(), open.end(), [&](const Seam& x, const Seam& y) {
+      return std::tuple(x.first, x.second, -over(x)) < std::tuple(y.first, y.second, -over(y));
+    });
+    for (const Seam& seam : open) {
+      if (!findings_.open.empty() && findings_.open.back().first == seam.first &&
+          findings_.open.back().second == seam.second)
+        continue;
+      const HeavyCell &a = cell(seam.doubt.a), &b = cell(seam.doubt.b);
+      const Cell at = cell_of(a.over >= b.over ? a.key : b.key);
+      findings_.open.push_back({seam.first, seam.second, field_.tree.lattice.centre(at)});
     }
   }
 
