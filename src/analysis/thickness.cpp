@@ -59,6 +59,7 @@ class Measurement {
     if (const Result<void> sampled = sample(survey); !sampled) return sampled.error();
     if (field_.failed()) return field_.status().error();
     if (!progress_.poll()) return Progress::error();
+    if (options_.method == ThicknessMethod::ray) report.error = largest_error();
     settle_edges();
     describe_thickness(result_.samples, options_.bins, report);
     find_thin_places(result_.samples, {field_.triangles, edges_, slots_, options_.at}, options_, report);
@@ -81,6 +82,12 @@ class Measurement {
     for (std::size_t i = 0; i < points.size(); ++i)
       result_.samples.push_back(joined(field_, (*places)[i], walls[i]));
     return {};
+  }
+
+  double largest_error() const noexcept {
+    double error = 0;
+    for (const ThicknessSample& s : result_.samples) error = std::max(error, s.error);
+    return error;
   }
 
   /// In a gap it is a concave edge of the part that holds the ball.

@@ -16,6 +16,7 @@
 #include "number_option.h"
 #include "number_text.h"
 #include "output_target.h"
+#include "provenance.h"
 #include "settings.h"
 #include "steering.h"
 #include "stop.h"
@@ -30,6 +31,7 @@ namespace {
 constexpr std::size_t most_names_shown = 12;
 
 struct Arguments {
+  const CLI::App* verb = nullptr;
   std::string input, output;
   double weld = 0;
   const CLI::Option* welds = nullptr;  ///< --weld
@@ -42,6 +44,8 @@ Json audit_json(const Arguments& arguments, const Mesh& mesh, const MeshReport& 
   json["box"] = json_of(report.box);
   json["patches"] = mesh.patch_names;
   json["warnings"] = warnings_for(report);
+  json["provenance"] = json_of(
+      provenance_of(arguments.input, *arguments.verb, arguments.settings.unit, report.sign(), report));
   return json;
 }
 
@@ -137,6 +141,7 @@ void audit_file(const Arguments& arguments) {
 void add_audit(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* verb = program.add_subcommand("audit", "Say what a mesh is before anyone measures to it");
+  arguments->verb = verb;
   verb->add_option("MESH", arguments->input, "STL, OBJ, PLY, glTF or GLB")->required();
   arguments->welds =
       add_number(*verb, "--weld", arguments->weld, {0, std::numeric_limits<double>::max()},

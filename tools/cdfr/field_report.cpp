@@ -102,6 +102,10 @@ std::string field_text(const std::string& name, const Input& input) {
   report.line("vertices", count_text(stats.vertices));
   report.line("sign", sign_text(input.field.sign()));
   report.line("mesh", sign_reason(input.field.report()));
+  const MeshReport& mesh = input.field.report();
+  const std::string unit = after_number(input.unit);
+  if (mesh.closed()) report.line("volume", short_text(mesh.volume) + (unit.empty() ? "" : unit + "^3"));
+  report.line("area", short_text(mesh.area) + (unit.empty() ? "" : unit + "^2"));
   report.line("part", box_text(input.field.bounds(), input.unit));
   report.line("domain", box_text(input.field.domain(), input.unit));
   report.line(

@@ -8,7 +8,6 @@
 #include "number_text.h"
 #include "steering.h"
 #include "stop.h"
-#include "unit.h"
 #include "verbs.h"
 
 namespace cdfr::command {
@@ -36,7 +35,7 @@ Deepest deepest_of(const Arguments& arguments, const Input& input) {
 }
 
 std::string deepest_text(const Deepest& d, const std::string& unit) {
-  return "deepest: " + short_text(d.depth) + after_number(unit) + " +- " + short_text(d.error) +
+  return "deepest: " + bounded_text(d.depth, d.error, unit) +
          (d.depth > 0 ? " at " + short_text(d.point) : ", no point inside") + "\n";
 }
 

@@ -1,7 +1,11 @@
 #include "number_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+
+#include "unit.h"
 
 namespace cdfr::command {
 namespace {
@@ -10,6 +14,43 @@ std::string rounded(double value, std::chars_format format, int precision) {
   std::array<char, 400> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision).ptr;
   return {buffer.data(), end};
+}
+
+/// A number as d.ddd * 10^exponent. Precondition: finite, not 0.
+struct Decimal {
+  int first_digit, exponent;
+};
+
+Decimal decimal(double value) {
+  const std::string text = rounded(std::abs(value), std::chars_format::scientific, 16);
+  return {text.front() - '0', std::stoi(text.substr(text.find('e') + 1))};
+}
+
+double parsed(const std::string& text) {
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+/// Place of the last digit that is worth showing, as a power of ten.
+int last_place(double value, double error) {
+  constexpr int most_digits = 9;
+  const auto [digit, exponent] = decimal(error);
+  const int place = digit < 3 ? exponent - 1 : exponent;
+  return value == 0 ? place : std::max(place, decimal(value).exponent - (most_digits - 1));
+}
+
+/// Rounded to whole steps of `step`, which is 10^place.
+std::string text_to_place(double value, double step, int place) {
+  constexpr double widest = 1e15;
+  constexpr int most_decimals = 9;
+  if (std::abs(value) < widest && place >= -most_decimals) {
+    const double whole = place > 0 ? std::round(value / step) * step : value;
+    const std::string text = rounded(whole, std::chars_format::fixed, std::max(0, -place));
+    return parsed(text) == 0 ? rounded(0, std::chars_format::fixed, std::max(0, -place)) : text;
+  }
+  const int digits = value == 0 ? 0 : std::max(0, decimal(value).exponent - place);
+  return rounded(value, std::chars_format::scientific, digits);
 }
 
 }  // namespace
@@ -23,6 +64,24 @@ std::string short_text(double value) { return rounded(value, std::chars_format::
 
 std::string short_text(Vec3 value) {
   return "(" + short_text(value.x) + ", " + short_text(value.y) + ", " + short_text(value.z) + ")";
+}
+
+std::string bounded_text(double value, double error, const std::string& unit) {
+  if (!std::isfinite(value)) return "unknown";
+  const std::string label = after_number(unit);
+  if (!std::isfinite(error)) return short_text(value) + label + " +- unknown";
+  std::string text;
+  if (!(error > 0)) {
+    append_exact(text, value);
+    return text + label + " +- 0";
+  }
+  constexpr double forgiven = 1e-12;
+  const int place = last_place(value, error);
+  const double step = parsed("1e" + std::to_string(place));
+  text = text_to_place(value, step, place);
+  const double off = std::abs(value - parsed(text));
+  const double steps = std::ceil((error + off) / step * (1 - forgiven));
+  return text + label + " +- " + text_to_place(steps * step, step, place);
 }
 
 std::string count_text(std::uint64_t value) {

@@ -11,6 +11,7 @@ void add_info(CLI::App& program);
 void add_query(CLI::App& program);
 void add_grid(CLI::App& program);
 void add_contour(CLI::App& program);
+void add_thickness(CLI::App& program);
 void add_make_part(CLI::App& program);
 
 }  // namespace cdfr::command
