@@ -78,7 +78,9 @@ class Territories {
 }  // namespace
 
 CellJoins join_cells(const CoreRule& rule, std::span<const HeavyCell> cells, const CellIndex& index, Progress& progress) {
-  CellJoins joins{DisjointSets(cells.size()), {}};
+  CellJoins joins{DisjointSets(cells.size()), {}, {}};
+  joins.has_core.reserve(cells.size());
+  for (const HeavyCell& cell : cells) joins.has_core.push_back(has_core(rule, cell));
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (i % cells_a_poll == 0 && !progress.poll()) return joins;
     index.for_each_neighbour(i, [&](std::size_t a, std::size_t b) {

@@ -27,7 +27,15 @@ struct Doubt {
 
 struct CellJoins {
   DisjointSets cores;         ///< over the cells
-  std::vector<Doubt> doubts;  ///< between different sets
+  std::vector<bool> has_core;  ///< by cell
+  std::vector<Doubt> doubts;   ///< between different sets
+
+  /// The root of the cell's core, or no_index if it has none. The root of a set is its lowest number; halved cells
+  /// (necks.h) come after those that were found first, and have no core of their own.
+  std::uint32_t core_of(std::uint32_t i) noexcept {
+    const std::size_t root = cores.root(i);
+    return root < has_core.size() && has_core[root] ? static_cast<std::uint32_t>(root) : no_index;
+  }
 };
 
 CellJoins join_cells(const CoreRule& rule, std::span<const HeavyCell> cells, const CellIndex& index, Progress& progress);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/vector.h"
+#include "analysis/cell_index.h"
 #include "field/block_sides.h"
 #include "field/query.h"
 #include "geometry/box_distance.h"
@@ -126,13 +126,7 @@ void HeavyDescent::take_list(const Cube& region) {
 /// Distances of the centres, from each of the triangles.
 void HeavyDescent::measure(std::span<const std::uint16_t> numbers) {
   eights_.resize(std::max(eights_.size(), numbers.size()));
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    find_feet(frames_, numbers.subspan(i, 1), centres_, 0, feet_);
-    std::copy_n(feet_.distance, 8, eights_[i].distance.begin());
-    std::copy_n(feet_.place, 8, eights_[i].place.begin());
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      std::copy_n(feet_.away[axis], 8, eights_[i].away[axis].begin());
-  }
+  find_each_foot(frames_, numbers, centres_, eights_.data());
   out_.looks += centres_.count;
 }
 
@@ -142,6 +136,7 @@ void HeavyDescent::look_at(const Cell& cell, Sided sided) {
   centres_.count = 0;
   centres_.add({});
   measure(all_);
+  compare(cube.size, all_);
   Seen seen;
   see(0, cube.size, all_, sided, seen);
   if (seen.fate == Fate::halve) return descend(cell, seen);
@@ -165,6 +160,7 @@ void HeavyDescent::descend(const Cell& cell, const Seen& seen) {
   centres_.count = 0;
   for (int child = 0; child < 8; ++child) centres_.add(minus(cube.octant(child).centre(), middle_));
   measure(seen.numbers);
+  compare(cube.size / 2, seen.numbers);
   Octants& octants = levels_[static_cast<std::size_t>(cell.level + 1)];
   for (std::size_t child = 0; child < 8; ++child)
     see(child, cube.size / 2, seen.numbers, seen.sided, octants[child]);
@@ -209,46 +205,71 @@ HeavyDescent::Outlook HeavyDescent::blind(const Cube& cube) const noexcept {
   return {d, {}, h, h, d - h, d + h};
 }
 
+/// The tangents l_k of all triangles with the closest one's, for cubes of that size, eight at a time.
+void HeavyDescent::compare(double size, std::span<const std::uint16_t> numbers) {
+  const double a = size / 2;
+  std::array<double, 8> d, x, y, z;
+  d.fill(HUGE_VAL);
+  first_.fill(0);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    for (std::size_t p = 0; p < 8; ++p) {
+      if (eights_[k].distance[p] < d[p]) first_[p] = k;
+      d[p] = std::min(d[p], eights_[k].distance[p]);
+    }
+  }
+  for (std::size_t p = 0; p < 8; ++p) {
+    const Vec3 g = gradient(first_[p], p);
+    x[p] = g.x;
+    y[p] = g.y;
+    z[p] = g.z;
+  }
+  least_.fill(HUGE_VAL);
+  lower_.resize(std::max(lower_.size(), numbers.size()));
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const EightFeet& eight = eights_[k];
+    std::array<double, 8>& lower = lower_[k];
+    for (std::size_t p = 0; p < 8; ++p) {
+      const double gx = eight.away[0][p], gy = eight.away[1][p], gz = eight.away[2][p];
+      lower[p] = a * (std::fabs(gx - x[p]) + std::fabs(gy - y[p]) + std::fabs(gz - z[p])) -
+                 (eight.distance[p] - d[p]);
+      least_[p] =
+          std::min(least_[p], eight.distance[p] - a * (std::fabs(gx) + std::fabs(gy) + std::fabs(gz)));
+    }
+  }
+}
+
+/// Precondition: compare.
 HeavyDescent::Outlook HeavyDescent::outlook(std::size_t point, double size,
                                             std::span<const std::uint16_t> numbers,
                                             std::vector<std::uint16_t>& kept) const {
   const double a = size / 2, h = Cube{{}, size}.half_diagonal(), slack = 2 * error_;
-  std::size_t first = 0;
-  for (std::size_t k = 1; k < numbers.size(); ++k) {
-    if (eights_[k].distance[point] < eights_[first].distance[point]) first = k;
-  }
+  const std::size_t first = first_[point];
   const double d = eights_[first].distance[point];
-  const Vec3 g = gradient(first, point);
-  const bool is_far = d > 2 * h;
-  Outlook o{d, {}, h + slack, h + slack, d - h - slack, d + h + slack};
-  if (is_far) o = {d, g, 0, rise(first, point, numbers[first], h) + slack, d + h, d + h + slack};
   kept.clear();
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    const double own = eights_[k].distance[point];
-    if (is_far) {
-      const Vec3 g_k = gradient(k, point);
-      const double lower = a * sum_of_sizes(minus(g_k, g)) - (own - d);
-      o.below = std::max(o.below, lower);
-      o.least = std::min(o.least, own - a * sum_of_sizes(g_k));
-      if (lower >= -o.above - slack) kept.push_back(numbers[k]);
-    } else if (own <= d + 2 * h + slack) {
-      kept.push_back(numbers[k]);
+  if (!(d > 2 * h)) {
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      if (eights_[k].distance[point] <= d + 2 * h + slack) kept.push_back(numbers[k]);
     }
+    return {d, {}, h + slack, h + slack, d - h - slack, d + h + slack};
   }
-  if (is_far) {
-    o.below += slack;
-    o.least = std::max(o.least, d - h) - slack;
-    o.most = std::min(o.most, d + a * sum_of_sizes(g) + o.above);
-    if (d <= threshold_.depth && o.most > threshold_.depth)
-      o.most = std::min(o.most, most_between(point, size, numbers));
+  const Vec3 g = gradient(first, point);
+  Outlook o{d, g, 0, rise(first, point, numbers[first], h) + slack, 0, d + h + slack};
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    o.below = std::max(o.below, lower_[k][point]);
+    if (lower_[k][point] >= -o.above - slack) kept.push_back(numbers[k]);
   }
+  o.below += slack;
+  o.least = std::max(least_[point], d - h) - slack;
+  o.most = std::min(o.most, d + a * sum_of_sizes(g) + o.above);
+  if (d <= threshold_.depth && o.most > threshold_.depth)
+    o.most = std::min(o.most, most_between(point, size, numbers));
   return o;
 }
 
 /// How much farther than its plane the triangle may be: o^2 / (2 (d - h)).
 double HeavyDescent::rise(std::size_t place, std::size_t point, std::uint16_t number,
                           double half_diagonal) const noexcept {
-  const Eight& eight = eights_[place];
+  const EightFeet& eight = eights_[place];
   double inside = 0;
   if (eight.place[point] == 0) {
     const Vec3 p = centres_.point(point);
@@ -320,13 +341,18 @@ void HeavyDescent::put(const Cell& cell, const Seen& seen) {
   kept.below = rounded_up(o.below * scale + off);
   kept.above = rounded_up(o.above * scale + off);
   if (!is_inner) {
-    const auto number_of_cell = static_cast<std::uint32_t>(out_.cells.size());
-    for (const std::uint16_t number : seen.numbers)
-      out_.triangles.push_back({number_of_cell, slots_[number]});
-    if (seen.numbers.empty())
-      out_.triangles.push_back({number_of_cell, find_closest(field_, cube_of(cell).centre()).winner.slot});
+    for (const std::uint16_t number : seen.numbers) tell(slots_[number], kept);
+    if (seen.numbers.empty()) tell(find_closest(field_, cube_of(cell).centre()).winner.slot, kept);
   }
   out_.cells.push_back(kept);
+}
+
+/// Of the cell that comes next. One that surely hangs together with the last one told says nothing new.
+void HeavyDescent::tell(std::uint32_t slot, const HeavyCell& cell) {
+  CellTriangle& last = told_[slot % told_.size()];
+  if (last.slot == slot && cores_join(rule_, out_.cells[last.cell], cell)) return;
+  last = {static_cast<std::uint32_t>(out_.cells.size()), slot};
+  out_.triangles.push_back(last);
 }
 
 }  // namespace cdfr

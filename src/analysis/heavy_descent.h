@@ -35,7 +35,7 @@
 
 namespace cdfr {
 
-/// The triangle of that slot may be closest to a point of the cell.
+/// The triangle of that slot may be closest to a point of the cell, and of others that are surely of the same section.
 struct CellTriangle {
   std::uint32_t cell, slot;
 };
@@ -49,7 +49,7 @@ struct HeavyCells {
 class HeavyDescent {
  public:
   HeavyDescent(const FieldData& field, const Threshold& threshold, HeavyCells& out)
-      : field_(field), threshold_(threshold), out_(out) {}
+      : field_(field), threshold_(threshold), rule_(threshold, field.tree.lattice), out_(out) {}
 
   /// A leaf of the octree, or a cell in it, whose list is the leaf's.
   void run(const Cell& cell, std::span<const Entry> list, Side side);
@@ -58,12 +58,6 @@ class HeavyDescent {
 
  private:
   enum class Sided : std::uint8_t { open, inside, outside };
-  /// Eight points' distances from one triangle.
-  struct Eight {
-    std::array<double, 8> distance;
-    std::array<std::array<double, 8>, 3> away;
-    std::array<double, 8> place;
-  };
   /// What is known of a cube.
   struct Outlook {
     double distance = 0;  ///< of the centre
@@ -91,23 +85,27 @@ class HeavyDescent {
   void descend_blind(const Cell& cell, Sided sided);
   void measure(std::span<const std::uint16_t> numbers);
   void see(std::size_t point, double size, std::span<const std::uint16_t> numbers, Sided above, Seen& seen);
+  void compare(double size, std::span<const std::uint16_t> numbers);
   Outlook outlook(std::size_t point, double size, std::span<const std::uint16_t> numbers,
                   std::vector<std::uint16_t>& kept) const;
   double rise(std::size_t place, std::size_t point, std::uint16_t number,
               double half_diagonal) const noexcept;
   double most_between(std::size_t point, double size, std::span<const std::uint16_t> numbers) const noexcept;
   Vec3 gradient(std::size_t place, std::size_t point) const noexcept {
-    const Eight& eight = eights_[place];
+    const EightFeet& eight = eights_[place];
     return {eight.away[0][point], eight.away[1][point], eight.away[2][point]};
   }
   Outlook blind(const Cube& cube) const noexcept;
   Fate fate_of(const Outlook& outlook, Sided sided, double half_diagonal) const noexcept;
   void put(const Cell& cell, const Seen& seen);
+  void tell(std::uint32_t slot, const HeavyCell& cell);
   Cube cube_of(const Cell& cell) const noexcept;
 
   const FieldData& field_;
   const Threshold& threshold_;
+  CoreRule rule_;
   HeavyCells& out_;
+  std::vector<CellTriangle> told_ = std::vector<CellTriangle>(1024, {no_index, no_index});  ///< last, by slot
 
   // Of the list.
   Vec3 middle_;
@@ -117,9 +115,11 @@ class HeavyDescent {
   std::vector<std::uint16_t> all_;
 
   // Of the cubes that are looked at: one, or the octants of one.
-  RegionPoints centres_;
-  Feet feet_;
-  std::vector<Eight> eights_;                                    ///< one for each of the numbers
+  RegionPoints centres_{};
+  std::vector<EightFeet> eights_;             ///< one for each of the numbers
+  std::vector<std::array<double, 8>> lower_;  ///< by how much its l_k may be below l_0
+  std::array<std::size_t, 8> first_{};        ///< the closest one's place among the numbers
+  std::array<double, 8> least_{};             ///< of all l_k in the cubes
   std::vector<Octants> levels_{std::size_t{deepest_level} + 2};  ///< by level, to keep their memory
 };
 

@@ -28,6 +28,7 @@ class Overlay {
         doubts_(joins.doubts) {}
 
   NeckFindings run(Progress& progress) {
+    drop_idle_doubts();
     std::vector<std::uint32_t> between;
     for (int round = 0; round < most_rounds && progress.poll(); ++round) {
       between = cells_between();
@@ -52,18 +53,24 @@ class Overlay {
     return i < cells_.size() ? cells_[i] : halved_[i - cells_.size()];
   }
   std::uint32_t root(std::uint32_t i) noexcept { return static_cast<std::uint32_t>(joins_.cores.root(i)); }
-  /// A set's root is its lowest number, so a set with one of the first cells has one for its root. Of more
-  /// than one cell all have cores.
-  std::uint32_t core_of(std::uint32_t i) noexcept {
-    const std::uint32_t r = root(i);
-    return r < cells_.size() && has_core(rule_, cells_[r]) ? r : no_index;
+
+  /// Only those in question: that link two cores, or are in a cluster that touches more than one.
+  void drop_idle_doubts() {
+    const CoreOf core_of = [this](std::uint32_t i) { return joins_.core_of(i); };
+    std::vector<bool> asked(cells_.size());
+    for (const DoubtCluster& cluster : doubt_clusters(doubts_, core_of)) {
+      for (const std::uint32_t i : cluster.cells) asked[i] = cluster.cores.size() > 1;
+    }
+    std::erase_if(doubts_, [&](const Doubt& d) {
+      return !asked[d.a] && !asked[d.b] && (core_of(d.a) == no_index || core_of(d.b) == no_index);
+    });
   }
 
   std::vector<Seam> seams() {
     std::erase_if(doubts_, [&](const Doubt& d) {
       return gone_.contains(d.a) || gone_.contains(d.b) || root(d.a) == root(d.b);
     });
-    return seams_between(doubts_, [this](std::uint32_t i) { return core_of(i); });
+    return seams_between(doubts_, [this](std::uint32_t i) { return joins_.core_of(i); });
   }
 
   /// All that lie where different cores meet.

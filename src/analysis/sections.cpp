@@ -97,10 +97,7 @@ class SectionSearch {
  private:
   static constexpr std::uint32_t none = no_index;
 
-    std::uint32_t core_of(std::uint32_t i) noexcept {
-    const auto root = static_cast<std::uint32_t>(joins_.cores.root(i));
-    return has_core(rule_, found_.cells[root]) ? root : none;
-  }
+    std::uint32_t core_of(std::uint32_t i) noexcept { return joins_.core_of(i); }
   Cube cube_of(std::uint32_t i) const noexcept {
     const Lattice& lattice = field_.tree.lattice;
     const Cell cell = cell_of(found_.cells[i].key);

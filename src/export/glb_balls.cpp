@@ -7,6 +7,7 @@ namespace cdfr {
 
 using namespace glb;
 
+/// Sea green, for no colour of the ramp comes near it.
 void add_balls(const PaintedMesh& painted, const Frame& frame, GlbScene& scene) {
   if (painted.balls.empty()) return;
   const Icosphere sphere = icosphere();
@@ -14,7 +15,7 @@ void add_balls(const PaintedMesh& painted, const Frame& frame, GlbScene& scene) 
   const int material = scene.add_material(
       {{"name", "ball"},
        {"pbrMetallicRoughness",
-        {{"baseColorFactor", {0.85, 0.2, 0.06, 0.5}}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.8}}},
+        {{"baseColorFactor", {0.0, 0.55, 0.45, 0.6}}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.8}}},
        {"alphaMode", "BLEND"}});
   const int mesh =
       scene.add_mesh(Json::array({{{"attributes", {{"POSITION", positions}, {"NORMAL", positions}}},

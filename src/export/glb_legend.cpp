@@ -107,7 +107,7 @@ void add_legend(const PaintedMesh& painted, const Frame& frame, int ink, GlbScen
     letters.write(tick_text(bar.value_at(share)), right + letter, y - letter / 2);
   }
   const std::string unit = painted.unit.empty() ? "" : ", " + text_line(painted.unit);
-  letters.write(painted.painted + unit, left, bar.level(1) + letter);
+  letters.write(painted.painted + unit, left, bar.level(1) + 1.5 * letter);
   if (has_gaps(painted)) {
     bar.add_gap_square(letter);
     letters.write("no value", right + letter, bar.level(0) - letter - width / 2 - letter / 2);

@@ -11,7 +11,7 @@
 namespace cdfr {
 
 /// Capitals of all text, as a share of the drawing's diagonal.
-inline constexpr double letter_share = 1.0 / 48;
+inline constexpr double letter_share = 1.0 / 40;
 
 class Lettering {
  public:

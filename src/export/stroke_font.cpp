@@ -84,8 +84,8 @@ constexpr std::array<std::string_view, 95> glyphs{
     "4i3i2h2c 0g4g",                     // f
     "4c1c0d0f1g4g4b3a0a",                // g
     "0i0c 0g3g4f4c",                     // h
-    "2g2c 2i2h",                         // i
-    "2g2b1a0a 2i2h",                     // j
+    "1g2g2c 1c3c 2h2i",                  // i
+    "1g2g2b1a0a 2h2i",                   // j
     "0i0c 3g0e4c",                       // k
     "1i2i2d3c",                          // l
     "0c0g3g4f4c 2g2c",                   // m

@@ -24,14 +24,15 @@ Json asset_of(const PaintedMesh& painted) {
   return {{"version", "2.0"}, {"generator", std::string("cdfr ") + version()}, {"extras", extras}};
 }
 
+/// Of a translucent part only fronts are drawn: a ball in it is then behind half as many layers.
 int add_part_material(const PaintedMesh& painted, GlbScene& scene) {
   const double grey = Paint(painted).any() ? 1.0 : 0.6;
   Json material = {{"name", "part"},
                    {"pbrMetallicRoughness",
-                    {{"baseColorFactor", {grey, grey, grey, painted.translucent ? 0.35 : 1.0}},
+                    {{"baseColorFactor", {grey, grey, grey, painted.translucent ? 0.2 : 1.0}},
                      {"metallicFactor", 0.0},
                      {"roughnessFactor", 0.9}}},
-                   {"doubleSided", true}};
+                   {"doubleSided", !painted.translucent}};
   if (painted.translucent) material["alphaMode"] = "BLEND";
   return scene.add_material(material);
 }

@@ -132,22 +132,52 @@ HWY_INLINE void meet(const Vector3& p, const TriangleFrame& t, double number, Cl
   best.place = choose(closer, place, best.place);
 }
 
+/// Stores what belongs to the vector's points at `first`.
+template <class Stored>
+HWY_INLINE void store_closest(const Closest& best, std::size_t first, Stored& feet) {
+  const Vector zero = constant(0), distance = root(best.squared);
+  const Vector scale = choose(best.place > zero, constant(1) / distance, constant(1));
+  store(distance, feet.distance + first);
+  store(best.way.x * scale, feet.away[0] + first);
+  store(best.way.y * scale, feet.away[1] + first);
+  store(best.way.z * scale, feet.away[2] + first);
+  store(best.place, feet.place + first);
+}
+
+HWY_INLINE Closest none_yet() {
+  const Vector zero = constant(0);
+  return {constant(std::numeric_limits<double>::infinity()), zero, zero, {zero, zero, zero}};
+}
+
+/// A vector may be longer than eight: its first half counts then.
+struct alignas(64) VectorFeet {
+  double distance[16], away[3][16], place[16];
+};
+
+void find_each_foot_here(std::span<const TriangleFrame> frames, FrameNumbers numbers,
+                         const RegionPoints& points, EightFeet* feet) {
+  VectorFeet stored;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    for (std::size_t first = 0; first < 8; first += vector_lanes()) {
+      Closest best = none_yet();
+      meet(points_at(points, first), frames[numbers[i]], 0, best);
+      store_closest(best, first, stored);
+    }
+    std::copy_n(stored.distance, 8, feet[i].distance);
+    for (int axis = 0; axis < 3; ++axis) std::copy_n(stored.away[axis], 8, feet[i].away[axis]);
+    std::copy_n(stored.place, 8, feet[i].place);
+  }
+}
+
 void find_feet_here(std::span<const TriangleFrame> frames, FrameNumbers numbers, const RegionPoints& points,
                     std::size_t start, Feet& feet) {
-  const Vector zero = constant(0);
   const std::size_t count = std::min(Feet::most, points.count - start);
   for (std::size_t first = 0; first < count; first += vector_lanes()) {
     const Vector3 p = points_at(points, start + first);
-    Closest best{constant(std::numeric_limits<double>::infinity()), zero, zero, {zero, zero, zero}};
+    Closest best = none_yet();
     for (const std::uint16_t n : numbers) meet(p, frames[n], n, best);
-    const Vector distance = root(best.squared);
-    const Vector scale = choose(best.place > zero, constant(1) / distance, constant(1));
-    store(distance, feet.distance + first);
-    store(best.way.x * scale, feet.away[0] + first);
-    store(best.way.y * scale, feet.away[1] + first);
-    store(best.way.z * scale, feet.away[2] + first);
+    store_closest(best, first, feet);
     store(best.number, feet.number + first);
-    store(best.place, feet.place + first);
   }
 }
 
@@ -160,6 +190,7 @@ namespace cdfr {
 
 HWY_EXPORT(squared_distances_here);
 HWY_EXPORT(find_feet_here);
+HWY_EXPORT(find_each_foot_here);
 
 namespace {
 
@@ -206,6 +237,11 @@ void squared_distances(std::span<const TriangleFrame> frames, FrameNumbers numbe
 void find_feet(std::span<const TriangleFrame> frames, FrameNumbers numbers, const RegionPoints& points,
                std::size_t first, Feet& feet) noexcept {
   HWY_DYNAMIC_DISPATCH(find_feet_here)(frames, numbers, points, first, feet);
+}
+
+void find_each_foot(std::span<const TriangleFrame> frames, FrameNumbers numbers, const RegionPoints& points,
+                    EightFeet* feet) noexcept {
+  HWY_DYNAMIC_DISPATCH(find_each_foot_here)(frames, numbers, points, feet);
 }
 
 }  // namespace cdfr

@@ -68,6 +68,13 @@ struct alignas(64) Feet {
   double place[most];    ///< TrianglePlace
 };
 
+/// Eight points by one triangle.
+struct alignas(64) EightFeet {
+  double distance[8];
+  double away[3][8];
+  double place[8];
+};
+
 /// Least squared distance of each point to the frames of these numbers. About 1.5 ns a point and triangle
 /// with AVX-512.
 void squared_distances(std::span<const TriangleFrame> frames, FrameNumbers numbers,
@@ -77,5 +84,9 @@ void squared_distances(std::span<const TriangleFrame> frames, FrameNumbers numbe
 /// Feet::most.
 void find_feet(std::span<const TriangleFrame> frames, FrameNumbers numbers, const RegionPoints& points,
                std::size_t first, Feet& feet) noexcept;
+
+/// Of the first eight points, from each triangle on its own: feet[i] belongs to numbers[i].
+void find_each_foot(std::span<const TriangleFrame> frames, FrameNumbers numbers, const RegionPoints& points,
+                    EightFeet* feet) noexcept;
 
 }  // namespace cdfr

@@ -160,7 +160,7 @@ TEST_F(PaintedGlbTest, BallsAreHalfTransparentAndInPlace) {
   }
   const auto& ball_material = material(primitive("ball 1"));
   EXPECT_EQ(ball_material.alphaMode, "BLEND");
-  EXPECT_EQ(ball_material.pbrMetallicRoughness.baseColorFactor.at(3), 0.5);
+  EXPECT_EQ(ball_material.pbrMetallicRoughness.baseColorFactor.at(3), 0.6);
 }
 
 TEST_F(PaintedGlbTest, LabelsStandBesideThePartWithALineToTheirPlace) {
