@@ -1,6 +1,9 @@
 /// Everything of cdfr in one include.
 #pragma once
 
+#include "cdfr/analysis/ball.h"              // IWYU pragma: export
+#include "cdfr/analysis/section_changes.h"   // IWYU pragma: export
+#include "cdfr/analysis/sections.h"          // IWYU pragma: export
 #include "cdfr/analysis/thickness.h"         // IWYU pragma: export
 #include "cdfr/contour/contour.h"            // IWYU pragma: export
 #include "cdfr/contour/mesh.h"               // IWYU pragma: export

@@ -93,9 +93,8 @@ std::size_t CellIndex::end_at(std::uint64_t place) const noexcept {
   if (cells_.empty() || place < first_) return 0;
   const std::uint64_t bucket = std::min<std::uint64_t>((place - first_) >> shift_, bucket_.size() - 2);
   const auto begin = cells_.begin() + bucket_[bucket], end = cells_.begin() + bucket_[bucket + 1];
-  const auto after = std::upper_bound(begin, end, place, [](std::uint64_t p, const HeavyCell& cell) {
-    return p < Span::of(cell.key).first;
-  });
+  const auto after = std::upper_bound(
+      begin, end, place, [](std::uint64_t p, const HeavyCell& cell) { return p < Span::of(cell.key).first; });
   return static_cast<std::size_t>(after - cells_.begin());
 }
 

@@ -13,12 +13,12 @@ void make_unique(std::vector<std::uint32_t>& numbers) {
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
-/// Those of the doubts' cells that have no core.
-std::vector<std::uint32_t> loose_cells(std::span<const Doubt> doubts, const CoreOf& core_of) {
+/// Roots of those of the doubts' cells that have no core.
+std::vector<std::uint32_t> loose_cells(std::span<const Doubt> doubts, CellJoins& joins) {
   std::vector<std::uint32_t> loose;
   for (const Doubt& doubt : doubts) {
     for (const std::uint32_t cell : {doubt.a, doubt.b}) {
-      if (core_of(cell) == no_index) loose.push_back(cell);
+      if (joins.core_of(cell) == no_index) loose.push_back(joins.root(cell));
     }
   }
   make_unique(loose);
@@ -28,8 +28,8 @@ std::vector<std::uint32_t> loose_cells(std::span<const Doubt> doubts, const Core
 /// Breadth first from the cores over the cells in doubt.
 class Territories {
  public:
-  Territories(std::span<const Doubt> doubts, const CoreOf& core_of)
-      : core_of_(core_of), loose_(loose_cells(doubts, core_of)), label_(loose_.size(), no_index) {
+  Territories(std::span<const Doubt> doubts, CellJoins& joins)
+      : joins_(joins), loose_(loose_cells(doubts, joins)), label_(loose_.size(), no_index) {
     for (const Doubt& doubt : doubts) {
       add(doubt.a, doubt.b);
       add(doubt.b, doubt.a);
@@ -48,7 +48,7 @@ class Territories {
 
   /// no_index beyond all cores.
   std::uint32_t of(std::uint32_t cell) const {
-    const std::uint32_t core = core_of_(cell);
+    const std::uint32_t core = joins_.core_of(cell);
     return core != no_index ? core : label_[place(cell)];
   }
 
@@ -60,24 +60,26 @@ class Territories {
   };
 
   std::uint32_t place(std::uint32_t cell) const {
-    return static_cast<std::uint32_t>(std::lower_bound(loose_.begin(), loose_.end(), cell) - loose_.begin());
+    const auto found = std::lower_bound(loose_.begin(), loose_.end(), joins_.root(cell));
+    return static_cast<std::uint32_t>(found - loose_.begin());
   }
   void add(std::uint32_t from, std::uint32_t to) {
-    if (core_of_(from) != no_index) return;
-    const std::uint32_t own = place(from), core = core_of_(to);
+    if (joins_.core_of(from) != no_index) return;
+    const std::uint32_t own = place(from), core = joins_.core_of(to);
     if (core == no_index) return void(links_.push_back({own, place(to)}));
     if (label_[own] == no_index) first_.push_back(own);
     label_[own] = std::min(label_[own], core);
   }
 
-  const CoreOf& core_of_;
+  CellJoins& joins_;
   std::vector<std::uint32_t> loose_, label_, first_;
   std::vector<Link> links_;
 };
 
 }  // namespace
 
-CellJoins join_cells(const CoreRule& rule, std::span<const HeavyCell> cells, const CellIndex& index, Progress& progress) {
+CellJoins join_cells(const CoreRule& rule, std::span<const HeavyCell> cells, const CellIndex& index,
+                     Progress& progress) {
   CellJoins joins{DisjointSets(cells.size()), {}, {}};
   joins.has_core.reserve(cells.size());
   for (const HeavyCell& cell : cells) joins.has_core.push_back(has_core(rule, cell));
@@ -95,14 +97,15 @@ CellJoins join_cells(const CoreRule& rule, std::span<const HeavyCell> cells, con
   return joins;
 }
 
-std::vector<DoubtCluster> doubt_clusters(std::span<const Doubt> doubts, const CoreOf& core_of) {
-  const std::vector<std::uint32_t> loose = loose_cells(doubts, core_of);
+std::vector<DoubtCluster> doubt_clusters(std::span<const Doubt> doubts, CellJoins& joins) {
+  const std::vector<std::uint32_t> loose = loose_cells(doubts, joins);
   const auto place = [&](std::uint32_t cell) {
-    return static_cast<std::size_t>(std::lower_bound(loose.begin(), loose.end(), cell) - loose.begin());
+    return static_cast<std::size_t>(std::lower_bound(loose.begin(), loose.end(), joins.root(cell)) -
+                                    loose.begin());
   };
   DisjointSets sets(loose.size());
   for (const Doubt& doubt : doubts) {
-    if (core_of(doubt.a) == no_index && core_of(doubt.b) == no_index)
+    if (joins.core_of(doubt.a) == no_index && joins.core_of(doubt.b) == no_index)
       sets.join(place(doubt.a), place(doubt.b));
   }
   std::vector<DoubtCluster> clusters;
@@ -116,8 +119,8 @@ std::vector<DoubtCluster> doubt_clusters(std::span<const Doubt> doubts, const Co
     clusters[number[root]].cells.push_back(loose[i]);
   }
   const auto touch = [&](std::uint32_t cell, std::uint32_t other) {
-    if (core_of(cell) == no_index && core_of(other) != no_index)
-      clusters[number[sets.root(place(cell))]].cores.push_back(core_of(other));
+    if (joins.core_of(cell) == no_index && joins.core_of(other) != no_index)
+      clusters[number[sets.root(place(cell))]].cores.push_back(joins.core_of(other));
   };
   for (const Doubt& doubt : doubts) {
     touch(doubt.a, doubt.b);
@@ -127,8 +130,8 @@ std::vector<DoubtCluster> doubt_clusters(std::span<const Doubt> doubts, const Co
   return clusters;
 }
 
-std::vector<Seam> seams_between(std::span<const Doubt> doubts, const CoreOf& core_of) {
-  const Territories territories(doubts, core_of);
+std::vector<Seam> seams_between(std::span<const Doubt> doubts, CellJoins& joins) {
+  const Territories territories(doubts, joins);
   std::vector<Seam> seams;
   for (const Doubt& doubt : doubts) {
     const std::uint32_t a = territories.of(doubt.a), b = territories.of(doubt.b);

@@ -56,8 +56,9 @@ class CoreRule {
         rounding_(threshold.rounding / lattice.edge),
         jumps_(threshold.jumps) {}
 
-  /// The centre, if it is deep enough itself: its depth is `over` but for rounding. Else where the sure part reaches
-  /// deepest, unless the sign jumps: then ways have to stay in the two cells, which those between centres do.
+  /// The centre, if it is deep enough itself: its depth is `over` but for rounding. Else where the sure part
+  /// reaches deepest, unless the sign jumps: then ways have to stay in the two cells, which those between
+  /// centres do.
   CorePoint core_point(const HeavyCell& cell, double half) const noexcept {
     const double own = double{cell.over} * (1 - 0x1p-20) - rounding_;
     if (own > 0 || jumps_) return {{}, own};
@@ -65,10 +66,12 @@ class CoreRule {
     return {{corner(0), corner(1), corner(2)}, double{cell.over} + cell.swing(half) - double{cell.below}};
   }
 
-  /// Is the straight way between two points, `apart` from each other, all deeper than T? Their depths are above T by a
-  /// and b. The squared distance to any set less |x|^2 is concave (octree/influence.h), so at the share t of the way
+  /// Is the straight way between two points, `apart` from each other, all deeper than T? Their depths are
+  /// above T by a and b. The squared distance to any set less |x|^2 is concave (octree/influence.h), so at
+  /// the share t of the way
   ///     d^2 >= (1 - t) d_a^2 + t d_b^2 - t (1 - t) apart^2,
-  /// of which the least value is taken. Between equal depths the way is deeper than T where a > apart^2 / (8 T).
+  /// of which the least value is taken. Between equal depths the way is deeper than T where a > apart^2 / (8
+  /// T).
   bool joins(double a, double b, double squared_apart) const noexcept {
     if (!(a > 0) || !(b > 0)) return false;
     const double from = a * (2 * depth_ + a), to = b * (2 * depth_ + b);

@@ -35,7 +35,8 @@
 
 namespace cdfr {
 
-/// The triangle of that slot may be closest to a point of the cell, and of others that are surely of the same section.
+/// The triangle of that slot may be closest to a point of the cell, and of others that are surely of the same
+/// section.
 struct CellTriangle {
   std::uint32_t cell, slot;
 };

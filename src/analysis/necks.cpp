@@ -12,9 +12,12 @@
 namespace cdfr {
 namespace {
 
-constexpr int most_rounds = 8;
-/// Cubes that may be looked at in one round.
-constexpr std::size_t most_halved = std::size_t{1} << 16;
+/// A chain of cells in doubt is resolved from its ends, a cell or two a round.
+constexpr int most_rounds = 64;
+/// Cells that may be halved in one round.
+constexpr std::size_t most_halved = std::size_t{1} << 13;
+/// Half diagonal of the smallest cells that are halved, in errors.
+constexpr double least_halved = 0x1p-8;
 
 /// Cells in doubt, halved on top of the cells that were found first. A number below cells.size() is one of
 /// those, the others are halved ones.
@@ -22,27 +25,27 @@ class Overlay {
  public:
   Overlay(const FieldData& field, const Threshold& threshold, std::span<const HeavyCell> cells,
           const CellIndex& index, CellJoins& joins)
-      : field_(field), threshold_(threshold), rule_(threshold, field.tree.lattice), cells_(cells),
+      : field_(field),
+        threshold_(threshold),
+        rule_(threshold, field.tree.lattice),
+        cells_(cells),
         index_(index),
         joins_(joins),
-        doubts_(joins.doubts) {}
+        doubts_(joins.doubts),
+        least_half_(threshold.error / std::sqrt(3.0) * least_halved / field.tree.lattice.edge) {}
 
   NeckFindings run(Progress& progress) {
     drop_idle_doubts();
     std::vector<std::uint32_t> between;
     for (int round = 0; round < most_rounds && progress.poll(); ++round) {
       between = cells_between();
-      if (between.empty() || between.size() * 8 > most_halved) break;
+      if (between.empty() || between.size() > most_halved) break;
       // Half the diagonal of the largest decides how far this round goes.
       double largest = 0;
       for (const std::uint32_t i : between) largest = std::max(largest, half_of(cell(i)));
       finer_.error = std::sqrt(3.0) * largest * field_.tree.lattice.edge / 2 * (1 + 0x1p-40);
-      finer_.flat /= 2;
-      std::vector<std::uint32_t> made;
-      bool any = false;
-      for (const std::uint32_t i : between) any = halve(i, made) || any;
-      for (const std::uint32_t i : made) link(i);
-      if (!any) break;
+      finer_.flat = finer_.error / 4;
+      if (!halve_all(between)) break;
     }
     report();
     return findings_;
@@ -52,52 +55,86 @@ class Overlay {
   const HeavyCell& cell(std::uint32_t i) const noexcept {
     return i < cells_.size() ? cells_[i] : halved_[i - cells_.size()];
   }
-  std::uint32_t root(std::uint32_t i) noexcept { return static_cast<std::uint32_t>(joins_.cores.root(i)); }
 
   /// Only those in question: that link two cores, or are in a cluster that touches more than one.
   void drop_idle_doubts() {
-    const CoreOf core_of = [this](std::uint32_t i) { return joins_.core_of(i); };
     std::vector<bool> asked(cells_.size());
-    for (const DoubtCluster& cluster : doubt_clusters(doubts_, core_of)) {
+    for (const DoubtCluster& cluster : doubt_clusters(doubts_, joins_)) {
       for (const std::uint32_t i : cluster.cells) asked[i] = cluster.cores.size() > 1;
     }
     std::erase_if(doubts_, [&](const Doubt& d) {
-      return !asked[d.a] && !asked[d.b] && (core_of(d.a) == no_index || core_of(d.b) == no_index);
+      return !asked[d.a] && !asked[d.b] &&
+             (joins_.core_of(d.a) == no_index || joins_.core_of(d.b) == no_index);
     });
   }
 
   std::vector<Seam> seams() {
-    std::erase_if(doubts_, [&](const Doubt& d) {
-      return gone_.contains(d.a) || gone_.contains(d.b) || root(d.a) == root(d.b);
-    });
-    return seams_between(doubts_, [this](std::uint32_t i) { return joins_.core_of(i); });
+    std::erase_if(doubts_, [&](const Doubt& d) { return joins_.root(d.a) == joins_.root(d.b); });
+    return seams_between(doubts_, joins_);
   }
 
   /// All that lie where different cores meet.
   std::vector<std::uint32_t> cells_between() {
     std::vector<std::uint32_t> between;
-    for (const Seam& seam : seams()) between.insert(between.end(), {seam.doubt.a, seam.doubt.b});
+    for (const Seam& seam : seams()) {
+      for (const std::uint32_t i : {seam.doubt.a, seam.doubt.b}) {
+        if (!gone_.contains(i) && half_of(cell(i)) > least_half_) between.push_back(i);
+      }
+    }
     std::sort(between.begin(), between.end());
     between.erase(std::unique(between.begin(), between.end()), between.end());
     return between;
   }
 
-  /// False if the lattice ends here.
+  /// What is left of a cell that is gone is its core point, which lies in one of the cells that took its
+  /// place: it stays in doubt with that one until they are joined. False if the lattice ends here.
+  bool halve_all(const std::vector<std::uint32_t>& between) {
+    gone_.insert(between.begin(), between.end());
+    const auto is_now = [&](std::uint32_t i) {
+      return std::binary_search(between.begin(), between.end(), i);
+    };
+    std::multimap<std::uint32_t, std::uint32_t> points;  // by the cell that held them
+    for (const std::uint32_t i : between) points.emplace(i, i);
+    for (const Doubt& d : doubts_) {
+      if (is_now(d.a) && gone_.contains(d.b) && !is_now(d.b)) points.emplace(d.a, d.b);
+      if (is_now(d.b) && gone_.contains(d.a) && !is_now(d.a)) points.emplace(d.b, d.a);
+    }
+    std::erase_if(doubts_, [&](const Doubt& d) { return is_now(d.a) || is_now(d.b); });
+    std::vector<std::uint32_t> made;
+    for (const std::uint32_t i : between) {
+      const std::size_t before = made.size();
+      if (!halve(i, made)) return false;
+      const auto [first, last] = points.equal_range(i);
+      for (auto point = first; point != last; ++point) {
+        for (std::size_t k = before; k < made.size(); ++k) tie(point->second, made[k]);
+      }
+    }
+    for (const std::uint32_t i : made) link(i);
+    return true;
+  }
+
+  void tie(std::uint32_t point, std::uint32_t i) {
+    const HeavyCell& from = cell(point);
+    const CorePoint core = rule_.core_point(from, half_of(from));
+    if (!(core.over > 0)) return;
+    if (cores_join(rule_, from, cell(i))) return joins_.cores.join(point, i);
+    const Vec3 c = centre_of(from), m = centre_of(cell(i));
+    const double reach = std::max(
+        {std::fabs(c.x + core.y.x - m.x), std::fabs(c.y + core.y.y - m.y), std::fabs(c.z + core.y.z - m.z)});
+    if (reach <= half_of(cell(i))) doubts_.push_back({point, i});
+  }
+
   bool halve(std::uint32_t i, std::vector<std::uint32_t>& made) {
-    const HeavyCell whole = cell(i);
-    const Cell at = cell_of(whole.key);
+    const Cell at = cell_of(cell(i).key);
     if (at.level >= deepest_level) return false;
     HeavyCells octants;
     HeavyDescent(field_, finer_, octants).refine(at);
     findings_.looks += octants.looks;
-    gone_.insert(i);
-    by_place_.erase(Span::of(whole.key).first);
+    by_place_.erase(Span::of(cell(i).key).first);
     for (const HeavyCell& octant : octants.cells) {
-      const auto number = static_cast<std::uint32_t>(joins_.cores.add());
+      made.push_back(static_cast<std::uint32_t>(joins_.cores.add()));
       halved_.push_back(octant);
-      by_place_[Span::of(octant.key).first] = number;
-      if (cores_join(rule_, whole, octant)) joins_.cores.join(i, number);
-      made.push_back(number);
+      by_place_[Span::of(octant.key).first] = made.back();
     }
     return true;
   }
@@ -158,7 +195,9 @@ class Overlay {
   /// Of each pair the place that lies deepest.
   void report() {
     std::vector<Seam> open = seams();
-    const auto over = [&](const Seam& seam) { return std::max(cell(seam.doubt.a).over, cell(seam.doubt.b).over); };
+    const auto over = [&](const Seam& seam) {
+      return std::max(cell(seam.doubt.a).over, cell(seam.doubt.b).over);
+    };
     std::stable_sort(open.begin(), open.end(), [&](const Seam& x, const Seam& y) {
       return std::tuple(x.first, x.second, -over(x)) < std::tuple(y.first, y.second, -over(y));
     });
@@ -179,6 +218,7 @@ class Overlay {
   const CellIndex& index_;
   CellJoins& joins_;
   std::vector<Doubt> doubts_;
+  double least_half_;
   Threshold finer_ = threshold_;
   std::vector<HeavyCell> halved_;
   std::map<std::uint64_t, std::uint32_t> by_place_;  ///< of halved cells that are not gone

@@ -1,9 +1,9 @@
 /// Do two cores join? Looked at closer, where they may.
 ///
-/// Cells in doubt that lie between different cores are halved, then what of them still is, until the cores
-/// are joined for certain, or nothing links them, or cells are 2^-8 of what they were or too many. Each round
-/// keeps what the cells' joins say of components: the octants of a cell hold all of it that is deeper than T,
-/// and a core that a cell gave stays one, tied to those octants that it joins.
+/// Cells in doubt where the territories of different cores meet are halved, then what of them still is, until
+/// the cores are joined for certain, or nothing links them, or the cells are 2^-8 of e or too many. Each
+/// round keeps what the cells' joins say of components: the octants of a cell hold all of it that is deeper
+/// than T, and the core point of a cell stays tied to the octant that it lies in.
 #pragma once
 
 #include <cstdint>

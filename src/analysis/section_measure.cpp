@@ -48,7 +48,8 @@ void SectionMeasure::add(const CoreRule& rule, const HeavyCell& cell) {
   const Vec3 way = way_of(cell);
   const double low = double{cell.over} - double{cell.below}, high = double{cell.over} + double{cell.above};
   const CubeCut sure = cut_cube(way, low, half), possible = cut_cube(way, high, half);
-  // A plane along a face of the cube is the surface of this cell: the one beyond the face holds nothing deeper.
+  // A plane along a face of the cube is the surface of this cell: the one beyond the face holds nothing
+  // deeper.
   const double face = cell.swing(half), offset = (low + high) / 2, hair = 0x1p-20 * half;
   const bool on_face = std::fabs(offset - face) < hair;
   const CubeCut middle = cut_cube(way, on_face ? face - hair : offset, half);

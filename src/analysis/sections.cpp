@@ -25,7 +25,7 @@ namespace cdfr {
 namespace {
 
 /// Shares of e: to which a cube may count as flat, and the ball's.
-constexpr double flat_share = 0.5, ball_share = 0.125;
+constexpr double flat_share = 0.5, ball_share = 1.0 / 64;
 /// Least e, as a share of the longest side: cells then leave some levels of the lattice to necks.
 constexpr double least_error = 0x1p-14;
 /// Cubes that may be halved to prove that a cluster of cells holds nothing deeper than T, and places listed
@@ -71,7 +71,8 @@ class SectionSearch {
   SectionSearch(const FieldData& field, const Threshold& threshold, const SectionsOptions& options,
                 Progress& progress)
       : field_(field),
-        threshold_(threshold), rule_(threshold, field.tree.lattice),
+        threshold_(threshold),
+        rule_(threshold, field.tree.lattice),
         options_(options),
         progress_(progress),
         found_(all_cells(field, threshold, progress)),
@@ -97,7 +98,7 @@ class SectionSearch {
  private:
   static constexpr std::uint32_t none = no_index;
 
-    std::uint32_t core_of(std::uint32_t i) noexcept { return joins_.core_of(i); }
+  std::uint32_t core_of(std::uint32_t i) noexcept { return joins_.core_of(i); }
   Cube cube_of(std::uint32_t i) const noexcept {
     const Lattice& lattice = field_.tree.lattice;
     const Cell cell = cell_of(found_.cells[i].key);
@@ -113,7 +114,7 @@ class SectionSearch {
       if (core == i) section_of_[i] = count_++;
       if (core != none) section_of_[i] = section_of_[core];
     }
-    clusters_ = doubt_clusters(doubts, [this](std::uint32_t i) { return core_of(i); });
+    clusters_ = doubt_clusters(doubts, joins_);
     std::vector<bool> clustered(section_of_.size());
     for (const DoubtCluster& cluster : clusters_) {
       for (const std::uint32_t i : cluster.cells) clustered[i] = true;
@@ -174,7 +175,8 @@ class SectionSearch {
     for (std::uint32_t i = 0; i < section_of_.size(); ++i) {
       if (section_of_[i] == none) continue;
       const double best = measures_[section_of_[i]].deepest();
-      if (found_.cells[i].most(half_of(found_.cells[i])) >= best * (1 - 0x1p-20)) deep[section_of_[i]].push_back(i);
+      if (found_.cells[i].most(half_of(found_.cells[i])) >= best * (1 - 0x1p-20))
+        deep[section_of_[i]].push_back(i);
     }
     progress_.phase(0.8, 1, static_cast<double>(count_));
     sections_.sections.resize(count_);

@@ -19,8 +19,10 @@ Json json_of(const Box& box) {
   return {{"min", json_of(box.lo)}, {"max", json_of(box.hi)}};
 }
 
-void print_json(const Json& report) {
-  print_text(report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+std::string text_of(const Json& report) {
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
+
+void print_json(const Json& report) { print_text(text_of(report)); }
 
 }  // namespace cdfr::command

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "cdfr/core/types.h"
 
@@ -17,6 +18,8 @@ Json json_of(Vec3 value);
 /// null if the box holds nothing (lo > hi).
 Json json_of(const Box& box);
 
+/// As it is printed, with its last line's end.
+std::string text_of(const Json& report);
 /// Names that are no UTF-8 have their bad bytes replaced; numbers that are not finite become null.
 void print_json(const Json& report);
 

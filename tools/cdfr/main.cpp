@@ -49,6 +49,7 @@ void set_up(CLI::App& program) {
   add_grid(program);
   add_contour(program);
   add_thickness(program);
+  add_sections(program);
   add_make_part(program);
   program.footer(all_examples(program));
 }

@@ -12,6 +12,7 @@ void add_query(CLI::App& program);
 void add_grid(CLI::App& program);
 void add_contour(CLI::App& program);
 void add_thickness(CLI::App& program);
+void add_sections(CLI::App& program);
 void add_make_part(CLI::App& program);
 
 }  // namespace cdfr::command
