@@ -5,6 +5,7 @@
 
 #include "analysis/nearest_point.h"
 #include "analysis/sample_neighbours.h"
+#include "geometry/box_distance.h"
 
 namespace cdfr {
 namespace {
@@ -25,6 +26,7 @@ void copy_wall(const ThicknessSample& from, ThicknessSample& to) noexcept {
   to.opposite_point = from.opposite_point;
   to.opposite = from.opposite;
   to.opposite_patch = from.opposite_patch;
+  to.opposed = from.opposed;
 }
 
 }  // namespace
@@ -34,6 +36,9 @@ void mark_edge_samples(const TriangleStore& triangles, const SmoothRegions& regi
                        std::span<ThicknessSample> samples) {
   for (ThicknessSample& sample : samples) {
     const std::uint32_t own = slots[sample.triangle];
+    const double chord = distance_between(sample.position, sample.opposite_point) + sample.facet;
+    sample.opposed =
+        sample.opposite != no_index && chord * chord > 0.75 * sample.thickness * sample.thickness;
     sample.at_edge = sample.opposite != no_index &&
                      regions.adjoin(regions.region(own), regions.region(slots[sample.opposite]));
     if (at == SampleAt::vertices)

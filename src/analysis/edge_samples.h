@@ -10,8 +10,9 @@
 
 namespace cdfr {
 
-/// Sets at_edge: where the opposite triangle's region adjoins the sample's own at a design edge, or, for
-/// samples at vertices, such an edge ends there.
+/// Sets opposed: a chord of the ball that turns by 120 degrees has sqrt(3)/2 of its diameter, and the facet
+/// tolerance may have taken that much from it. Sets at_edge: where the opposite triangle's region adjoins the
+/// sample's own at a design edge, or, for samples at vertices, such an edge ends there.
 void mark_edge_samples(const TriangleStore& triangles, const SmoothRegions& regions,
                        std::span<const std::uint32_t> slots, SampleAt at, std::span<ThicknessSample> samples);
 

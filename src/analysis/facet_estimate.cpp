@@ -42,25 +42,25 @@ WeightedValue curved_part(const TriangleStore& triangles, const TriangleEdges& e
 
 }  // namespace
 
-FacetEstimate estimate_facets(const FieldData& field, const TriangleEdges& edges, double sharp) {
+FacetErrors estimate_facets(const FieldData& field, const TriangleEdges& edges, double sharp) {
   const Box& box = field.bounds();
   // A coordinate is off by 2^-25 of its size where it was rounded to float32, a height by a few of those.
   const double flat = 0x1p-22 * std::max(largest_magnitude(box.lo), largest_magnitude(box.hi));
+  FacetErrors errors;
+  errors.by_slot.assign(field.triangles.size(), 0);
   std::vector<WeightedValue> curved;
   for (std::uint32_t slot = 0; slot < field.triangles.size(); ++slot) {
     const WeightedValue part = curved_part(field.triangles, edges, slot, sharp);
     if (!(part.value > flat)) continue;
     curved.push_back(part);
+    errors.by_slot[slot] = part.value;
   }
-  FacetEstimate estimate;
-  estimate.curved_triangles = curved.size();
-  if (curved.empty()) return estimate;
+  if (curved.empty()) return errors;
   std::stable_sort(curved.begin(), curved.end(),
                    [](const WeightedValue& a, const WeightedValue& b) { return a.value < b.value; });
-  estimate.median = quantile(curved, 0.5);
-  estimate.quantile = quantile(curved, 0.99);
-  estimate.largest = curved.back().value;
-  return estimate;
+  errors.estimate = {quantile(curved, 0.5), quantile(curved, 0.99), curved.back().value, curved.size()};
+  for (double& error : errors.by_slot) error = std::min(error, errors.estimate.quantile);
+  return errors;
 }
 
 }  // namespace cdfr

@@ -21,7 +21,7 @@ constexpr int most_steps = 12;
 class Ball {
  public:
   Ball(const WallPoint& at, const BallOptions& options, const Box& box, std::uint32_t number) noexcept
-      : p_(to_eigen(at.position)), u_(to_eigen(at.direction)), number_(number) {
+      : p_(to_eigen(at.position)), u_(to_eigen(at.direction)), facet_(at.facet), number_(number) {
     upper_ = std::min(options.largest, options.outside ? options.largest : fitting(box, options));
     asked_ = upper_;
   }
@@ -31,7 +31,7 @@ class Ball {
 
   /// True if it is done.
   bool take(const Closest& closest, const BallOptions& options, double depth) noexcept {
-    const double excess = asked_ - depth - options.facet;
+    const double excess = asked_ - depth - facet_;
     if (!(excess > options.rounding)) {
       unmet_ = steps_ == 0;
       lower_ = asked_;
@@ -40,9 +40,9 @@ class Ball {
     }
     ++steps_;
     if (unmet_ || std::isnan(depth)) return true;
-    // Halved brackets end where doubles do; the factor is for the rounding of upper - tolerance.
-    if (upper_ - lower_ <= options.tolerance * (1 + 0x1p-20)) return true;
-    asked_ = steps_ < most_steps ? upper_ - options.tolerance : lower_ + (upper_ - lower_) / 2;
+    if (upper_ - lower_ <= options.tolerance) return true;
+    // Less than the tolerance by more than the difference rounds by.
+    asked_ = steps_ < most_steps ? upper_ - options.tolerance * (15.0 / 16) : lower_ + (upper_ - lower_) / 2;
     return false;
   }
 
@@ -65,7 +65,7 @@ class Ball {
                          hi = to_eigen(box.hi).array();
     // Where a direction is an axis but for its rounding, the plane behind p bounds nothing.
     const Eigen::Array3d behind = (1 - u).max(0.0) + 0x1p-50, ahead = (1 + u).max(0.0) + 0x1p-50;
-    const double reserve = options.facet + options.rounding;
+    const double reserve = facet_ + options.rounding;
     const double least =
         std::min(((p - lo + reserve) / behind).minCoeff(), ((hi - p + reserve) / ahead).minCoeff());
     return std::max(least, 0.0) * (1 + 1.0 / 16) + 4 * options.tolerance;
@@ -79,14 +79,14 @@ class Ball {
     upper_ = std::min(upper_, asked_ - (excess - options.rounding) / 2);
     const Eigen::Vector3d way = q_ - p_;
     const double doubt = 2 * options.rounding, far = way.norm() + doubt;
-    const double ahead = u_.dot(way) - options.facet - doubt;
+    const double ahead = u_.dot(way) - facet_ - doubt;
     if (!(ahead > 0)) return;
-    const double radius = (far * far - options.facet * options.facet) / (2 * ahead) * (1 + 0x1p-48);
+    const double radius = (far * far - facet_ * facet_) / (2 * ahead) * (1 + 0x1p-48);
     upper_ = std::max(std::min(upper_, radius), lower_);
   }
 
   Eigen::Vector3d p_, u_, q_ = Eigen::Vector3d::Zero();
-  double lower_ = 0, upper_ = 0, asked_ = 0;
+  double facet_, lower_ = 0, upper_ = 0, asked_ = 0;
   std::uint32_t number_, opposite_ = no_index, patch_ = 0;
   int steps_ = 0;
   bool unmet_ = false;

@@ -13,7 +13,6 @@ namespace cdfr {
 
 struct BallOptions {
   bool outside = false;
-  double facet = 0;      ///< D, 0 or more
   double tolerance = 0;  ///< of the radius; at least twice the rounding
   double largest = 0;    ///< radius beyond which nothing is looked for
   double rounding = 0;   ///< ball_rounding() of it all
@@ -24,8 +23,8 @@ struct BallOptions {
 double ball_rounding(const FieldData& field, double largest) noexcept;
 
 /// Let u be the direction, s(x) the depth of x in what is measured (inside, or outside), and D the facet
-/// tolerance. A radius r is feasible if F(r) = r - s(p + r u) <= D. s has slope at most 1, so F grows, and
-/// feasible radii are an interval from 0. What bounds it from above:
+/// tolerance of the point. A radius r is feasible if F(r) = r - s(p + r u) <= D. s has slope at most 1, so F
+/// grows, and feasible radii are an interval from 0. What bounds it from above:
 ///  - Every surface point q: r is infeasible if |p + r u - q| < r - D. Squared, that is r > r_q =
 ///    (|q - p|^2 - D^2) / (2 (u . (q - p) - D)) where u . (q - p) > D, and nothing else.
 ///  - An infeasible r itself, and by F's slope of at most 2 also r - (F(r) - D) / 2.

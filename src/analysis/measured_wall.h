@@ -20,6 +20,7 @@ struct WallPoint {
   Vec3 position;
   Vec3 direction;
   std::uint32_t slot = no_index;  ///< of the triangle that it lies on
+  double facet = 0;               ///< D, for the ball
 };
 
 }  // namespace cdfr

@@ -18,74 +18,68 @@ constexpr double most_samples = 4294967294;
 
 bool has_area(const TriangleShape& shape) noexcept { return rounded(shape.normal) != Vec3{}; }
 
-SurfaceSample centre_of(const TriangleShape& shape, std::uint32_t slot) noexcept {
-  const auto& [a, b, c] = shape.vertices;
-  return {from_eigen((to_eigen(a) + to_eigen(b) + to_eigen(c)) / 3), rounded(shape.normal), slot,
-          area_of(shape)};
+using Corners = std::array<Vector3d, 3>;
+
+Corners corners_of(const TriangleShape& shape) noexcept {
+  return {to_eigen(shape.vertices[0]), to_eigen(shape.vertices[1]), to_eigen(shape.vertices[2])};
 }
 
-/// A triangle cut into rows along its longest side.
-class Rows {
- public:
-  Rows(const TriangleShape& shape, std::uint32_t slot, double spacing) : shape_(shape), slot_(slot) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double length = (corner(k + 1) - corner(k)).norm();
-      if (length > base_) {
-        base_ = length;
-        first_ = k;
-      }
-    }
-    spacing_ = spacing;
-    rows_ = std::max(1.0, std::ceil(2 * area_of(shape) / base_ / spacing));
+/// `sample` with the centre and the area for place and share.
+SurfaceSample centred(SurfaceSample sample, const Corners& c, double area) noexcept {
+  sample.position = from_eigen((c[0] + c[1] + c[2]) / 3);
+  sample.area = area;
+  return sample;
+}
+
+/// The centres of the parts; `sample` has what they share. Rounding of middles does not add up: each is the
+/// mean of its ends' and its own.
+void halve(const Corners& c, double area, double longest_part, const SurfaceSample& sample,
+           std::vector<SurfaceSample>& samples) {
+  std::size_t k = 0;
+  double longest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double length = (c[(i + 1) % 3] - c[i]).norm();
+    if (length > longest) longest = length, k = i;
   }
+  if (longest <= longest_part) return samples.push_back(centred(sample, c, area));
+  const Vector3d &a = c[k], &b = c[(k + 1) % 3], &tip = c[(k + 2) % 3];
+  const Vector3d middle = (a + b) / 2;
+  halve({a, middle, tip}, area / 2, longest_part, sample, samples);
+  halve({middle, b, tip}, area / 2, longest_part, sample, samples);
+}
 
-  double rows() const noexcept { return rows_; }
-  double upper_count() const noexcept { return rows_ * (base_ / spacing_ + 1); }
-
-  void append(std::vector<SurfaceSample>& samples) const {
-    const Vector3d origin = corner(first_), along = corner(first_ + 1) - origin,
-                   up = corner(first_ + 2) - origin;
-    const double area = area_of(shape_);
-    for (double row = 0; row < rows_; ++row) {
-      const double height = (row + 0.5) / rows_, width = 1 - height;
-      const double parts = std::max(1.0, std::ceil(width * base_ / spacing_));
-      // A row's share of the area: 2 / rows of the mean width.
-      const double part_area = area * 2 * width / rows_ / parts;
-      for (double part = 0; part < parts; ++part) {
-        const Vector3d at = origin + height * up + width * (part + 0.5) / parts * along;
-        samples.push_back({from_eigen(at), rounded(shape_.normal), slot_, part_area});
-      }
-    }
-  }
-
- private:
-  Vector3d corner(std::size_t k) const { return to_eigen(shape_.vertices[k % 3]); }
-
-  const TriangleShape& shape_;
-  std::uint32_t slot_;
-  double spacing_ = 0, base_ = 0, rows_ = 1;
-  std::size_t first_ = 0;
-};
+SurfaceSample begun(const TriangleStore& triangles, std::uint32_t slot,
+                    std::span<const double> facets) noexcept {
+  return {{}, rounded(triangles.shape(slot).normal), slot, 0, facets[slot]};
+}
 
 Result<std::vector<SurfaceSample>> at_spacing(const TriangleStore& triangles,
-                                              std::span<const std::uint32_t> slots, double spacing) {
-  double most = 0;
-  for (const std::uint32_t slot : slots) {
-    if (has_area(triangles.shape(slot))) most += Rows(triangles.shape(slot), slot, spacing).upper_count();
-  }
-  if (!(most <= most_samples)) return Error{Code::bad_option, 0, "the spacing gives too many samples"};
+                                              std::span<const std::uint32_t> slots,
+                                              std::span<const double> facets, double spacing) {
+  const double longest_part = 1.5 * spacing;
+  double area = 0;
+  for (const std::uint32_t slot : slots) area += area_of(triangles.shape(slot));
+  // A part is no larger than half the square over its longest side.
+  const bool too_many = !(area / (longest_part * longest_part / 2) <= most_samples);
   std::vector<SurfaceSample> samples;
   for (const std::uint32_t slot : slots) {
-    if (has_area(triangles.shape(slot))) Rows(triangles.shape(slot), slot, spacing).append(samples);
+    if (too_many || static_cast<double>(samples.size()) > most_samples)
+      return Error{Code::bad_option, 0, "the spacing gives too many samples"};
+    const TriangleShape& shape = triangles.shape(slot);
+    if (!has_area(shape)) continue;
+    halve(corners_of(shape), area_of(shape), longest_part, begun(triangles, slot, facets), samples);
   }
   return samples;
 }
 
-std::vector<SurfaceSample> at_faces(const TriangleStore& triangles, std::span<const std::uint32_t> slots) {
+std::vector<SurfaceSample> at_faces(const TriangleStore& triangles, std::span<const std::uint32_t> slots,
+                                    std::span<const double> facets) {
   std::vector<SurfaceSample> samples;
   samples.reserve(slots.size());
   for (const std::uint32_t slot : slots) {
-    if (has_area(triangles.shape(slot))) samples.push_back(centre_of(triangles.shape(slot), slot));
+    const TriangleShape& shape = triangles.shape(slot);
+    if (has_area(shape))
+      samples.push_back(centred(begun(triangles, slot, facets), corners_of(shape), area_of(shape)));
   }
   return samples;
 }
@@ -102,10 +96,11 @@ struct Fan {
   Vector3d normal = Vector3d::Zero();
   Vec3 position;
   std::uint32_t slot = no_index;
-  double area = 0;
+  double area = 0, facet = 0;
 };
 
-std::vector<SurfaceSample> at_vertices(const TriangleStore& triangles, std::span<const std::uint32_t> slots) {
+std::vector<SurfaceSample> at_vertices(const TriangleStore& triangles, std::span<const std::uint32_t> slots,
+                                       std::span<const double> facets) {
   std::vector<Fan> fans;
   std::vector<std::uint32_t> order;
   for (const std::uint32_t slot : slots) {
@@ -122,6 +117,7 @@ std::vector<SurfaceSample> at_vertices(const TriangleStore& triangles, std::span
       }
       fan.normal += angle_at(shape, k) * to_eigen(rounded(shape.normal));
       fan.area += area_of(shape) / 3;
+      fan.facet = std::max(fan.facet, facets[slot]);
     }
   }
   std::vector<SurfaceSample> samples;
@@ -129,8 +125,8 @@ std::vector<SurfaceSample> at_vertices(const TriangleStore& triangles, std::span
     const Fan& fan = fans[vertex];
     // Of angles that add up to two turns or so, less than this is what rounding leaves where they cancel.
     const double length = fan.normal.norm();
-    if (length > 0x1p-40)
-      samples.push_back({fan.position, from_eigen(fan.normal / length), fan.slot, fan.area});
+    if (!(length > 0x1p-40)) continue;
+    samples.push_back({fan.position, from_eigen(fan.normal / length), fan.slot, fan.area, fan.facet});
   }
   return samples;
 }
@@ -145,10 +141,12 @@ double area_of(const TriangleShape& shape) noexcept {
 }
 
 Result<std::vector<SurfaceSample>> surface_samples(const FieldData& field,
-                                                   std::span<const std::uint32_t> slots, SampleAt at,
+                                                   std::span<const std::uint32_t> slots,
+                                                   std::span<const double> facets, SampleAt at,
                                                    double spacing) {
-  if (at == SampleAt::spacing) return at_spacing(field.triangles, slots, spacing);
-  return at == SampleAt::vertices ? at_vertices(field.triangles, slots) : at_faces(field.triangles, slots);
+  if (at == SampleAt::spacing) return at_spacing(field.triangles, slots, facets, spacing);
+  return at == SampleAt::vertices ? at_vertices(field.triangles, slots, facets)
+                                  : at_faces(field.triangles, slots, facets);
 }
 
 }  // namespace cdfr

@@ -16,16 +16,20 @@ struct SurfaceSample {
   Vec3 normal;             ///< outward, unit
   std::uint32_t slot = 0;  ///< that it lies on
   double area = 0;         ///< that it stands for
+  double facet = 0;        ///< of its triangle, at a vertex the largest of its triangles'
 };
 
-/// By triangle number; `slots` are by it. Triangles of no area have no normal, so none of their own; a vertex
-/// whose normals cancel has none either. A vertex belongs to its lowest triangle, its normal is the mean
-/// weighted by angle, its area a third of its triangles'. Samples at a spacing lie in rows along the
-/// triangle's longest side, each row cut into equal parts, so that a needle takes no more than it needs.
-/// Positions are within 8 ulp of the largest coordinate of the triangle. Errors: bad_option (more than 2^32 -
-/// 2 samples). O(triangles and samples).
+/// By triangle number; `slots` are by it, `facets` by slot. Triangles of no area have no normal, so none of
+/// their own; a vertex whose normals cancel has none either. A vertex belongs to its lowest triangle, its
+/// normal is the mean weighted by angle, its area a third of its triangles'. At a spacing a triangle is
+/// halved at its longest side until that is at most 3/2 of the spacing (Rivara, "Algorithms for refining
+/// triangular grids suitable for adaptive and multigrid techniques", 1984), and the centres of the parts are
+/// taken: no point of the triangle is farther than two thirds of that side from one. Positions are within 8
+/// ulp of the largest coordinate of the triangle. Errors: bad_option (more than 2^32 - 2 samples).
+/// O(triangles and samples).
 Result<std::vector<SurfaceSample>> surface_samples(const FieldData& field,
-                                                   std::span<const std::uint32_t> slots, SampleAt at,
+                                                   std::span<const std::uint32_t> slots,
+                                                   std::span<const double> facets, SampleAt at,
                                                    double spacing);
 
 double area_of(const TriangleShape& shape) noexcept;

@@ -24,6 +24,7 @@ ThicknessSample joined(const FieldData& field, const SurfaceSample& at, const Me
   sample.position = at.position;
   sample.normal = at.normal;
   sample.area = at.area;
+  sample.facet = at.facet;
   sample.triangle = field.triangles.records[at.slot].number;
   sample.patch = field.triangles.exact[at.slot].patch;
   sample.thickness = wall.thickness;
@@ -46,13 +47,8 @@ class Measurement {
 
   Result<Thickness> run() {
     ThicknessReport& report = result_.report;
-    if (options_.facet < 0 && options_.method == ThicknessMethod::sphere) {
-      report.facet_estimate = estimate_facets(field_, edges_, options_.sharp);
-      options_.facet = report.facet_estimate.quantile;
-    }
     const WallSurvey survey(field_, options_);
     if (const Result<void> checked = survey.check(); !checked) return checked.error();
-    report.facet = survey.facet();
     report.error = survey.error();
     report.largest = survey.largest();
     report.rounding = survey.rounding();
@@ -67,15 +63,27 @@ class Measurement {
   }
 
  private:
+  /// By slot: as it was given, or estimated.
+  std::vector<double> facets() {
+    if (options_.method == ThicknessMethod::ray) return std::vector<double>(field_.triangles.size(), 0);
+    if (options_.facet >= 0) return std::vector<double>(field_.triangles.size(), options_.facet);
+    FacetErrors errors = estimate_facets(field_, edges_, options_.sharp);
+    result_.report.facet_estimate = errors.estimate;
+    return std::move(errors.by_slot);
+  }
+
   Result<void> sample(const WallSurvey& survey) {
-    const auto places = surface_samples(field_, slots_, options_.at, options_.spacing);
+    const auto places = surface_samples(field_, slots_, facets(), options_.at, options_.spacing);
     if (!places) return places.error();
     progress_.phase(0, 1, WallSurvey::steps(places->size()));
     const double sign = options_.clearance ? 1 : -1;
     std::vector<WallPoint> points;
     points.reserve(places->size());
-    for (const SurfaceSample& at : *places)
-      points.push_back({at.position, {sign * at.normal.x, sign * at.normal.y, sign * at.normal.z}, at.slot});
+    for (const SurfaceSample& at : *places) {
+      const Vec3 direction{sign * at.normal.x, sign * at.normal.y, sign * at.normal.z};
+      points.push_back({at.position, direction, at.slot, at.facet});
+      result_.report.facet = std::max(result_.report.facet, at.facet);
+    }
     std::vector<MeasuredWall> walls(points.size());
     result_.report.queries = survey.measure(points, walls, progress_);
     result_.samples.reserve(points.size());

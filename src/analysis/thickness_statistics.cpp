@@ -21,17 +21,6 @@ std::vector<double> histogram_of(std::span<const WeightedValue> values, int bins
 
 }  // namespace
 
-std::vector<WeightedValue> weighted_thickness(std::span<const ThicknessSample> samples, bool with_edges) {
-  std::vector<WeightedValue> values;
-  for (const ThicknessSample& sample : samples) {
-    if (std::isnan(sample.thickness) || (sample.at_edge && !with_edges)) continue;
-    values.push_back({sample.thickness, sample.area});
-  }
-  std::stable_sort(values.begin(), values.end(),
-                   [](const WeightedValue& a, const WeightedValue& b) { return a.value < b.value; });
-  return values;
-}
-
 double quantile(std::span<const WeightedValue> values, double share) noexcept {
   double total = 0, below = 0;
   for (const WeightedValue& v : values) total += v.weight;
@@ -43,7 +32,8 @@ double quantile(std::span<const WeightedValue> values, double share) noexcept {
 }
 
 void describe_thickness(std::span<const ThicknessSample> samples, int bins, ThicknessReport& report) {
-  const std::vector<WeightedValue> values = weighted_thickness(samples, true);
+  const std::vector<WeightedValue> values =
+      weighted_thickness(samples, [](const ThicknessSample&) { return true; });
   report.samples = values.size();
   report.unmet = samples.size() - values.size();
   for (const ThicknessSample& sample : samples) report.at_edge += sample.at_edge;

@@ -1,6 +1,8 @@
 /// Statistics of thickness, weighted by area.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -12,9 +14,17 @@ struct WeightedValue {
   double value = 0, weight = 0;
 };
 
-/// Thickness and area of the samples that have met something, ascending by thickness; without those at edges
-/// if they are not wanted.
-std::vector<WeightedValue> weighted_thickness(std::span<const ThicknessSample> samples, bool with_edges);
+/// Thickness and area of the wanted samples that have met something, ascending by thickness.
+template <class Wanted>
+std::vector<WeightedValue> weighted_thickness(std::span<const ThicknessSample> samples, Wanted wanted) {
+  std::vector<WeightedValue> values;
+  for (const ThicknessSample& sample : samples) {
+    if (!std::isnan(sample.thickness) && wanted(sample)) values.push_back({sample.thickness, sample.area});
+  }
+  std::stable_sort(values.begin(), values.end(),
+                   [](const WeightedValue& a, const WeightedValue& b) { return a.value < b.value; });
+  return values;
+}
 
 /// The least value that at least `share` of the weight does not exceed; NaN if there are none. Precondition:
 /// ascending.

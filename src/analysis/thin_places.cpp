@@ -20,17 +20,21 @@ ThinPlace place_of(std::span<const ThicknessSample> samples, std::span<const std
   place.position = thinnest->position;
   place.thickness = thinnest->thickness;
   place.error = thinnest->error;
+  place.facet = thinnest->facet;
   place.triangle = thinnest->triangle;
   place.samples = group.size();
   place.at_edge = thinnest->at_edge;
+  place.opposed = thinnest->opposed;
   return place;
 }
 
-/// The thickest of the thinnest twentieth away from edges, and what its tolerances cannot tell from that.
-double default_limit(std::span<const ThicknessSample> samples, double tolerance) {
-  std::vector<WeightedValue> off_edges = weighted_thickness(samples, false);
-  if (off_edges.empty()) off_edges = weighted_thickness(samples, true);
-  return quantile(off_edges, 0.05) + tolerance;
+bool is_wall(const ThicknessSample& sample) noexcept { return sample.opposed && !sample.at_edge; }
+
+/// The thickest of the thinnest twentieth of the walls, and what the engine's error cannot tell from that.
+double default_limit(std::span<const ThicknessSample> samples, double error) {
+  std::vector<WeightedValue> walls = weighted_thickness(samples, is_wall);
+  if (walls.empty()) walls = weighted_thickness(samples, [](const ThicknessSample&) { return true; });
+  return quantile(walls, 0.05) + error;
 }
 
 }  // namespace
@@ -38,23 +42,24 @@ double default_limit(std::span<const ThicknessSample> samples, double tolerance)
 void find_thin_places(std::span<const ThicknessSample> samples, const SampleNeighbours& neighbours,
                       const ThicknessOptions& options, ThicknessReport& report) {
   const bool given = options.thinner_than > 0;
-  report.thin_limit = given ? options.thinner_than : default_limit(samples, report.error + report.facet);
-  const auto is_thin = [&](double thickness) {
-    return given ? thickness < report.thin_limit : thickness <= report.thin_limit;
+  report.thin_limit = given ? options.thinner_than : default_limit(samples, report.error);
+  const auto is_thin = [&](const ThicknessSample& sample) {
+    return given ? sample.thickness < report.thin_limit
+                 : sample.thickness - sample.facet <= report.thin_limit;
   };
-  for (const bool at_edge : {false, true}) {
+  for (const bool wall : {true, false}) {
     std::vector<std::uint32_t> thin;
     for (std::uint32_t i = 0; i < samples.size(); ++i) {
-      if (samples[i].at_edge != at_edge || !is_thin(samples[i].thickness)) continue;
+      if (is_wall(samples[i]) != wall || !is_thin(samples[i])) continue;
       thin.push_back(i);
       report.thin_area += samples[i].area;
-      if (!at_edge) report.thin_area_off_edges += samples[i].area;
+      if (wall) report.thin_wall_area += samples[i].area;
     }
     for (const auto& group : neighbours.groups(samples, thin))
       report.places.push_back(place_of(samples, group));
   }
   std::stable_sort(report.places.begin(), report.places.end(), [](const ThinPlace& a, const ThinPlace& b) {
-    return a.at_edge != b.at_edge ? b.at_edge : a.thickness < b.thickness;
+    return a.is_wall() != b.is_wall() ? a.is_wall() : a.thickness < b.thickness;
   });
   report.place_count = report.places.size();
   report.places.resize(std::min(report.places.size(), static_cast<std::size_t>(options.places)));

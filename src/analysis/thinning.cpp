@@ -31,14 +31,12 @@ class Comparison {
 
   Result<Thinning> run(const ThinningOptions& how) {
     const std::vector<std::uint32_t> slots = slots_by_number(former_.triangles);
-    if (options_.facet < 0)
-      options_.facet = estimate_facets(former_, TriangleEdges(former_.triangles), options_.sharp).quantile;
     const WallSurvey survey(former_, options_);
     if (const Result<void> checked = survey.check(); !checked) return checked.error();
     Thinning result;
     result.reach = how.reach > 0 ? how.reach : longest_side(field_.bounds()) / 100;
-    error_ = survey.error() + survey.facet() + now_.report.error + now_.report.facet;
-    result.change = how.change > 0 ? how.change : error_;
+    result.change = how.change;
+    engine_error_ = survey.error() + now_.report.error;
     find_former_points(slots, result.reach);
     walls_.resize(points_.size());
     progress_.phase(0.3, 1, WallSurvey::steps(points_.size()));
@@ -50,6 +48,13 @@ class Comparison {
   }
 
  private:
+  std::vector<double> former_facets() const {
+    if (options_.facet < 0 && options_.method == ThicknessMethod::sphere)
+      return estimate_facets(former_, TriangleEdges(former_.triangles), options_.sharp).by_slot;
+    const bool ray = options_.method == ThicknessMethod::ray;
+    return std::vector<double>(former_.triangles.size(), ray ? 0 : options_.facet);
+  }
+
   /// Where the former surface is closest to each sample, if it is the same wall's.
   void find_former_points(std::span<const std::uint32_t> slots, double reach) {
     const auto& samples = now_.samples;
@@ -63,44 +68,54 @@ class Comparison {
     });
     if (progress_.cancelled()) return;
     const double sign = options_.clearance ? 1 : -1;
+    const std::vector<double> facets = former_facets();
     for (std::uint32_t i = 0; i < samples.size(); ++i) {
       if (samples[i].at_edge) continue;
       const std::uint32_t slot = slots[closest[i].triangle];
       const Eigen::Vector3d normal = to_eigen(rounded(former_.triangles.shape(slot).normal));
       if (!(std::fabs(closest[i].distance) <= reach)) continue;
       if (!(normal.dot(to_eigen(samples[i].normal)) > least_cosine)) continue;
-      points_.push_back({closest[i].point, from_eigen(sign * normal), slot});
+      points_.push_back({closest[i].point, from_eigen(sign * normal), slot, facets[slot]});
       sample_of_.push_back(i);
     }
   }
 
-  ThinnedPlace place_of(std::span<const std::uint32_t> group, std::span<const double> former) const {
+  /// A sample's former thickness, and what the difference may be off by.
+  struct Former {
+    double thickness = std::numeric_limits<double>::quiet_NaN();
+    double error = 0;
+  };
+
+  ThinnedPlace place_of(std::span<const std::uint32_t> group, std::span<const Former> former) const {
     ThinnedPlace place;
     double most = -std::numeric_limits<double>::infinity();
     for (const std::uint32_t i : group) {
       const ThicknessSample& sample = now_.samples[i];
       place.area += sample.area;
-      if (!(former[i] - sample.thickness > most)) continue;
-      most = former[i] - sample.thickness;
+      if (!(former[i].thickness - sample.thickness > most)) continue;
+      most = former[i].thickness - sample.thickness;
       place.position = sample.position;
       place.triangle = sample.triangle;
       place.thickness = sample.thickness;
-      place.former = former[i];
+      place.former = former[i].thickness;
+      place.error = former[i].error;
     }
-    place.error = error_;
     place.samples = group.size();
     return place;
   }
 
   void gather_places(Thinning& result) const {
     const auto& samples = now_.samples;
-    std::vector<double> former(samples.size(), std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t k = 0; k < walls_.size(); ++k) former[sample_of_[k]] = walls_[k].thickness;
+    std::vector<Former> former(samples.size());
+    for (std::size_t k = 0; k < walls_.size(); ++k) {
+      const std::uint32_t i = sample_of_[k];
+      former[i] = {walls_[k].thickness, engine_error_ + samples[i].facet + points_[k].facet};
+    }
     std::vector<std::uint32_t> thinned;
     for (std::uint32_t i = 0; i < samples.size(); ++i) {
-      const bool compared = !std::isnan(former[i]) && !std::isnan(samples[i].thickness);
-      ++(samples[i].at_edge ? result.at_edge : compared ? result.compared : result.unmatched);
-      if (!(former[i] - samples[i].thickness > result.change)) continue;
+      const double lost = former[i].thickness - samples[i].thickness;
+      ++(samples[i].at_edge ? result.at_edge : std::isnan(lost) ? result.unmatched : result.compared);
+      if (!(lost > (result.change > 0 ? result.change : former[i].error))) continue;
       thinned.push_back(i);
       result.area += samples[i].area;
     }
@@ -117,10 +132,10 @@ class Comparison {
 
   const FieldData& field_;
   const Thickness& now_;
-  ThicknessOptions options_;
+  const ThicknessOptions& options_;
   const FieldData& former_;
   Progress& progress_;
-  double error_ = 0;
+  double engine_error_ = 0;
   std::vector<WallPoint> points_;         ///< on the former surface
   std::vector<std::uint32_t> sample_of_;  ///< by point
   std::vector<MeasuredWall> walls_;       ///< by point

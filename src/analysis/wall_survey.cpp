@@ -50,7 +50,6 @@ Result<void> check_thickness(const FieldData& field, const ThicknessOptions& opt
 WallSurvey::WallSurvey(const FieldData& field, const ThicknessOptions& options) noexcept
     : field_(field), options_(options) {
   const Box& box = field.bounds();
-  facet_ = options.method == ThicknessMethod::ray ? 0 : options.facet;
   largest_ = options.largest > 0 ? options.largest : diagonal_above(box);
   rounding_ = ball_rounding(field, largest_ / 2);
   error_ = options.error > 0 ? options.error : std::max(longest_side(box) * 0x1p-30, 8 * rounding_);
@@ -94,7 +93,7 @@ std::uint64_t WallSurvey::measure_some(std::span<const WallPoint> points, std::s
                                        Progress& progress) const {
   const FloatingEnvironment environment;
   if (options_.method == ThicknessMethod::sphere) {
-    const BallOptions ball{options_.clearance, facet_, error_ / 2, largest_ / 2, rounding_};
+    const BallOptions ball{options_.clearance, error_ / 2, largest_ / 2, rounding_};
     return largest_balls(field_, points, ball, walls, progress);
   }
   const RayOptions ray{options_.rays, options_.cone, largest_, rounding_};

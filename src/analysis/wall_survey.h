@@ -16,13 +16,11 @@ namespace cdfr {
 /// Nothing, or what is wrong with the options or the field for them.
 Result<void> check_thickness(const FieldData& field, const ThicknessOptions& options);
 
-/// Options with nothing left to choose. Precondition: check_thickness was content, and a facet tolerance is
-/// given unless the method is the ray's.
+/// Options with nothing left to choose. Precondition: check_thickness was content.
 class WallSurvey {
  public:
   WallSurvey(const FieldData& field, const ThicknessOptions& options) noexcept;
 
-  double facet() const noexcept { return facet_; }
   double error() const noexcept { return error_; }
   double largest() const noexcept { return largest_; }
   double rounding() const noexcept { return rounding_; }
@@ -41,7 +39,7 @@ class WallSurvey {
 
   const FieldData& field_;
   ThicknessOptions options_;
-  double facet_, error_, largest_, rounding_;
+  double error_, largest_, rounding_;
 };
 
 }  // namespace cdfr

@@ -43,7 +43,7 @@ TEST(EdgePolicy, SphereGivesTheBallAndMarksIt) {
   EXPECT_EQ(found.report.regions, 6U);
   EXPECT_LT(found.report.min, 0.3);
   ASSERT_FALSE(found.report.places.empty());
-  EXPECT_FALSE(found.report.places.front().at_edge);
+  EXPECT_TRUE(found.report.places.front().is_wall());
   EXPECT_NEAR(found.report.places.front().thickness, 1, 1e-6) << "no edge is a thin wall";
 }
 

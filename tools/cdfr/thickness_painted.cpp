@@ -53,9 +53,9 @@ Values on_vertices(const Mesh& mesh, std::span<const ThicknessSample> samples) {
 std::vector<PaintedLabel> labels_of(const ThicknessReport& report, const std::string& unit) {
   std::vector<PaintedLabel> labels;
   for (const ThinPlace& place : report.places) {
-    if (labels.size() == most_labels || place.at_edge) break;
+    if (labels.size() == most_labels || !place.is_wall()) break;
     labels.push_back({place.position, std::to_string(labels.size() + 1) + ": " +
-                                          bounded_text(place.thickness, place.error + report.facet, unit)});
+                                          bounded_text(place.thickness, place.error + place.facet, unit)});
   }
   return labels;
 }

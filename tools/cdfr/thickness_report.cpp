@@ -39,10 +39,12 @@ Json places_json(const ThicknessReport& report) {
                       {"position", json_of(place.position)},
                       {"thickness", place.thickness},
                       {"error", place.error},
+                      {"facet", place.facet},
                       {"area", place.area},
                       {"triangle", place.triangle},
                       {"samples", place.samples},
-                      {"at_edge", place.at_edge}});
+                      {"at_edge", place.at_edge},
+                      {"opposed", place.opposed}});
   }
   return places;
 }
@@ -111,13 +113,13 @@ void add_tolerances(const ThicknessRequest& request, const Input& input, const T
   const std::string unit = after_number(input.unit);
   text.line("engine's error", short_text(report.error) + unit);
   if (request.options.method == ThicknessMethod::ray) return;
+  const FacetEstimate& estimate = report.facet_estimate;
   std::string how = short_text(report.facet) + unit;
-  if (request.options.facet < 0) {
-    how += report.facet_estimate.curved_triangles == 0
-               ? ": no triangle is curved"
-               : ": estimated, 99 % of the curved area is within it (" +
-                     count_text(report.facet_estimate.curved_triangles) + " curved triangles, median " +
-                     short_text(report.facet_estimate.median) + unit + ")";
+  if (request.options.facet < 0 && estimate.curved_triangles == 0) how = "none: no triangle is curved";
+  if (request.options.facet < 0 && estimate.curved_triangles > 0) {
+    how = "up to " + how + ", on plane faces none: the chord error around each sample (" +
+          count_text(estimate.curved_triangles) + " curved triangles, median " + short_text(estimate.median) +
+          unit + ")";
   }
   text.line("facet tolerance", how);
 }
@@ -133,20 +135,27 @@ void add_samples(const ThicknessRequest& request, const ThicknessReport& report,
   text.line("smooth regions", count_text(report.regions));
 }
 
+/// Why a place is no thin wall, if it is none.
+std::string held_text(const ThinPlace& place) {
+  if (place.at_edge) return ", at a design edge";
+  return place.opposed ? "" : ", held from its own side";
+}
+
 void add_places(const ThicknessRequest& request, const Input& input, const ThicknessReport& report,
                 TextReport& text) {
+  const std::string limit = short_text(report.thin_limit) + after_number(input.unit);
   const bool given = request.options.thinner_than > 0;
-  text.line(given ? "thinner than" : "at most", short_text(report.thin_limit) + after_number(input.unit) +
-                                                    ": " + squared(report.thin_area, input) + ", " +
-                                                    squared(report.thin_area_off_edges, input) +
-                                                    " of it away from design edges");
+  text.line(given ? "thinner than " + limit : "thinnest walls",
+            (given ? "" : "5 % of the wall's area is at most " + limit + "; so are ") +
+                squared(report.thin_area, input) + " in all, " + squared(report.thin_wall_area, input) +
+                " of it walls");
   text.line("thin places", count_text(report.place_count));
   for (std::size_t i = 0; i < std::min(places_told, report.places.size()); ++i) {
     const ThinPlace& place = report.places[i];
     text.line("  " + std::to_string(i + 1),
-              bounded_text(place.thickness, place.error + report.facet, input.unit) + " at " +
+              bounded_text(place.thickness, place.error + place.facet, input.unit) + " at " +
                   short_text(place.position) + ", " + squared(place.area, input) + ", " +
-                  count_text(place.samples) + " samples" + (place.at_edge ? ", at a design edge" : ""));
+                  count_text(place.samples) + " samples" + held_text(place));
   }
 }
 
@@ -156,8 +165,10 @@ void add_thinning(const ThicknessRequest& request, const Input& input, const Thi
   text.line("compared", count_text(thinning.compared) + " samples; " + count_text(thinning.unmatched) +
                             " have no former wall within " + short_text(thinning.reach) +
                             after_number(input.unit));
+  const std::string by =
+      thinning.change > 0 ? short_text(thinning.change) + after_number(input.unit) : "the tolerances of both";
   text.line("thinned", std::to_string(thinning.places.size()) + " places, " + squared(thinning.area, input) +
-                           ", by more than " + short_text(thinning.change) + after_number(input.unit));
+                           ", by more than " + by);
   for (std::size_t i = 0; i < std::min(places_told, thinning.places.size()); ++i) {
     const ThinnedPlace& place = thinning.places[i];
     text.line("  " + std::to_string(i + 1),
@@ -193,7 +204,7 @@ Json thickness_json(const ThicknessRequest& request, const Input& input, const T
   json["thin"] = {{"limit", report.thin_limit},
                   {"given", request.options.thinner_than > 0},
                   {"area", report.thin_area},
-                  {"area_off_edges", report.thin_area_off_edges}};
+                  {"wall_area", report.thin_wall_area}};
   json["places"] = places_json(report);
   json["place_count"] = report.place_count;
   add_solid(request, input.field.report(), json);

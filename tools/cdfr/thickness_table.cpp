@@ -40,7 +40,9 @@ void append_csv(std::string& text, const ThicknessSample& sample) {
   }
   for (const std::uint32_t number : numbers_of(sample)) text += number_text(number) + ",";
   append_exact(text, sample.area);
-  text += sample.at_edge ? ",1\n" : ",0\n";
+  text += sample.at_edge ? ",1," : ",0,";
+  append_exact(text, sample.facet);
+  text += sample.opposed ? ",1\n" : ",0\n";
 }
 
 void append_npy(std::string& bytes, const ThicknessSample& sample) {
@@ -49,6 +51,8 @@ void append_npy(std::string& bytes, const ThicknessSample& sample) {
     append_bytes(bytes, number == no_index ? -1.0 : static_cast<double>(number));
   append_bytes(bytes, sample.area);
   append_bytes(bytes, sample.at_edge ? 1.0 : 0.0);
+  append_bytes(bytes, sample.facet);
+  append_bytes(bytes, sample.opposed ? 1.0 : 0.0);
 }
 
 void append_ply(std::string& bytes, const ThicknessSample& sample) {
@@ -56,20 +60,24 @@ void append_ply(std::string& bytes, const ThicknessSample& sample) {
   for (const std::uint32_t number : numbers_of(sample)) append_bytes(bytes, number);
   append_bytes(bytes, sample.area);
   bytes += static_cast<char>(sample.at_edge);
+  append_bytes(bytes, sample.facet);
+  bytes += static_cast<char>(sample.opposed);
 }
 
 std::string csv_header() {
   std::string text;
   for (const char* name : measures) text += std::string(name) + ",";
   for (const char* name : numbers) text += std::string(name) + ",";
-  return text + "area,at_edge\n";
+  return text + "area,at_edge,facet,opposed\n";
 }
 
 std::string ply_header(std::size_t rows) {
   std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(rows) + "\n";
   for (const char* name : measures) text += std::string("property double ") + name + "\n";
   for (const char* name : numbers) text += std::string("property uint ") + name + "\n";
-  return text + "property double area\nproperty uchar at_edge\nend_header\n";
+  return text +
+         "property double area\nproperty uchar at_edge\nproperty double facet\nproperty uchar "
+         "opposed\nend_header\n";
 }
 
 }  // namespace
@@ -79,7 +87,7 @@ void write_thickness_table(ByteSink& sink, std::span<const ThicknessSample> samp
   void (*append)(std::string&, const ThicknessSample&) = append_csv;
   if (extension == ".npy") {
     append = append_npy;
-    sink.write(npy_header("(" + std::to_string(samples.size()) + ", 17)"));
+    sink.write(npy_header("(" + std::to_string(samples.size()) + ", 19)"));
   } else if (extension == ".ply") {
     append = append_ply;
     sink.write(ply_header(samples.size()));

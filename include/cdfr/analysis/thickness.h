@@ -22,7 +22,7 @@ enum class ThicknessMethod : std::uint8_t {
 enum class SampleAt : std::uint8_t {
   faces,     ///< the centre of each triangle
   vertices,  ///< each vertex, those at one place taken as one
-  spacing,   ///< several a triangle, about ThicknessOptions::spacing apart
+  spacing,   ///< several a triangle, no point farther than ThicknessOptions::spacing from one
 };
 
 /// What is said where a design edge holds the ball: there it shrinks to nothing, however thick the wall is.
@@ -38,8 +38,8 @@ struct ThicknessOptions {
   SampleAt at = SampleAt::faces;
   double spacing = 0;  ///< with SampleAt::spacing
   /// D: the ball may enter the mesh by so much, for on a faceted mesh the ball at every edge of the
-  /// tessellation has radius zero. 0 is exact on the mesh; negative takes the estimated chord error
-  /// (ThicknessReport::facet). For the sphere method.
+  /// tessellation has radius zero. 0 is exact on the mesh; negative takes the estimated chord error around
+  /// each sample: none on plane faces (ThicknessReport::facet_estimate). For the sphere method.
   double facet = -1;
   double sharp = 30;  ///< degrees, above 0: an edge that turns more is a design edge, others are tessellation
   EdgePolicy edges = EdgePolicy::sphere;
@@ -50,16 +50,16 @@ struct ThicknessOptions {
   bool clearance = false;  ///< the gap outside instead of the wall inside
   /// A ball or ray of more than this finds nothing; 0 takes the diagonal of the box.
   double largest = 0;
-  /// T: what is strictly thinner counts as thin; 0 takes the thinnest twentieth by area away from design
-  /// edges, and all that the tolerances cannot tell from it.
+  /// T: what is strictly thinner counts as thin; 0 takes the thinnest twentieth by area of what is opposed
+  /// and away from design edges, and all that the tolerances cannot tell from it.
   double thinner_than = 0;
   int bins = 20;    ///< of the histogram
   int places = 20;  ///< thinnest places that are listed
 };
 
 /// Lengths in the mesh's unit. With the sphere method the largest ball's diameter lies in
-/// [thickness, thickness + error] for a facet tolerance of D, or one larger by rounding (32 ulp of the
-/// largest coordinate). With the ray method the first hit lies within `error` of the thickness.
+/// [thickness, thickness + error] for this sample's facet tolerance D, or one larger by rounding (32 ulp of
+/// the largest coordinate). With the ray method the first hit lies within `error` of the thickness.
 struct ThicknessSample {
   Vec3 position;
   Vec3 normal;           ///< outward, unit; at a vertex the angle-weighted mean
@@ -70,7 +70,12 @@ struct ThicknessSample {
   std::uint32_t opposite = no_index;  ///< triangle of `opposite_point`
   std::uint32_t patch = 0, opposite_patch = 0;
   double area = 0;       ///< of the surface that it stands for
+  double facet = 0;      ///< D as it was taken here
   bool at_edge = false;  ///< held by a wall across a convex design edge of its own region, or on such an edge
+  /// What holds the ball touches it more than 120 degrees from the sample: a wall that tapers by less
+  /// than 60. Else the ball is held from the sample's own side, by an edge, a fillet or a facet beside it,
+  /// and there is no wall to be thin.
+  bool opposed = false;
 };
 
 /// How the facet tolerance came about.
@@ -79,33 +84,36 @@ struct FacetEstimate {
   std::uint64_t curved_triangles = 0;
 };
 
-/// Connected samples that are thin, away from design edges or at them.
+/// Connected samples that are thin: walls, which are opposed and away from design edges, or others.
 struct ThinPlace {
   Vec3 position;  ///< of its thinnest sample
-  double thickness = 0, error = 0;
+  double thickness = 0, error = 0, facet = 0;
   double area = 0;
   std::uint32_t triangle = no_index;  ///< of its thinnest sample
   std::uint64_t samples = 0;
-  bool at_edge = false;
+  bool at_edge = false, opposed = false;  ///< of its thinnest sample
+
+  bool is_wall() const noexcept { return opposed && !at_edge; }
 };
 
 /// Weighted by area, over samples where something was met.
 struct ThicknessReport {
-  double facet = 0, error = 0, largest = 0;  ///< as they were taken
-  FacetEstimate facet_estimate;              ///< empty unless it was asked for
-  double rounding = 0;                       ///< 32 ulp of the largest coordinate
-  std::uint64_t queries = 0;                 ///< closest points, or rays
-  std::uint64_t regions = 0;                 ///< smooth ones
-  std::uint64_t samples = 0;                 ///< that something was met by
+  double facet = 0;               ///< largest of the samples'
+  double error = 0, largest = 0;  ///< as they were taken; the ray method's error is the largest sample's
+  FacetEstimate facet_estimate;   ///< empty unless it was asked for
+  double rounding = 0;            ///< 32 ulp of the largest coordinate
+  std::uint64_t queries = 0;      ///< closest points, or rays
+  std::uint64_t regions = 0;      ///< smooth ones
+  std::uint64_t samples = 0;      ///< that something was met by
   std::uint64_t unmet = 0, skipped = 0, at_edge = 0, extrapolated = 0;
   double area = 0;
   double min = 0, max = 0, mean = 0;  ///< NaN without samples
   double p1 = 0, p5 = 0, p25 = 0, p50 = 0, p75 = 0, p95 = 0, p99 = 0;
   std::vector<double> histogram;  ///< area by bin, of `bins` equal ones from min to max
-  double thin_limit = 0;          ///< T as it was taken: thin is below it, or at it if it is the default
+  double thin_limit = 0;          ///< T, or the greatest of the thinnest twentieth
   double thin_area = 0;           ///< of thin samples
-  double thin_area_off_edges = 0;
-  std::vector<ThinPlace> places;  ///< those away from design edges first, then by thickness
+  double thin_wall_area = 0;      ///< of those that are opposed and away from design edges
+  std::vector<ThinPlace> places;  ///< walls first, then by thickness
   std::uint64_t place_count = 0;  ///< of all, listed or not
 };
 
@@ -133,7 +141,7 @@ CDFR_API Result<Thickness> thickness(const Field& field, const ThicknessOptions&
 struct ThinningOptions {
   /// How far from a sample the former surface may be; 0 takes a hundredth of the longest side.
   double reach = 0;
-  /// A wall thinned where it lost more than this; 0 takes both errors and both facet tolerances together.
+  /// A wall thinned where it lost more than this; 0 takes both errors and both facet tolerances there.
   double change = 0;
 };
 
