@@ -49,11 +49,12 @@ Shape ball(double chord) {
 // {depth > t} is the whole in small: in the half plane a triangle about the in-centre (0, r).
 Shape cone(double chord) {
   constexpr double radius = 3, height = 4, slant = 5, r = radius * height / (radius + slant);
+  const double slope = std::atan2(radius, height);  // of its normal
   const auto at = [=](double t) {
     const double share = 1 - t / r;
     const Profile part{{{{0, r - share * r}, 0, 0, 0},
-                        {{share * radius, r - share * r}, 0, -pi / 2, pi / 2 + std::atan2(radius, height)},
-                        {{0, r + share * (height - r)}, 0, 0, 0}}};
+                        {{share * radius, r - share * r}, 0, -pi / 2, pi / 2 + slope},
+                        {{0, r + share * (height - r)}, 0, slope, pi / 2 - slope}}};
     return std::vector{part};
   };
   Shape shape = revolved("cone", at(0)[0], chord, at, {0.25, 0.75, 1.25});

@@ -36,7 +36,9 @@ TEST_P(Shapes, AreClosedOutwardAndEmbeddedWithTheirVolume) {
   EXPECT_EQ(report.degenerate_triangles, 0U);
   EXPECT_NEAR(report.volume, shape.volume, shape.area * shape.error + rounding);
   EXPECT_NEAR(report.area, shape.area, shape.area * 0.02 + rounding);
-  if (shape.error == 0) EXPECT_NEAR(report.area, shape.area, rounding);
+  if (shape.error == 0) {
+    EXPECT_NEAR(report.area, shape.area, rounding);
+  }
 }
 
 TEST_P(Shapes, DepthsOfMeshAndSolidDifferByNoMoreThanTheError) {
