@@ -106,9 +106,9 @@ class Extraction {
   }
 
   void take(const Worker& worker, std::uint64_t leaf) {
-    for (const DescentCounts* counts : {&worker.descent.counts(), &worker.in_leaf.counts()}) {
-      report_.evaluations += counts->evaluations;
-      report_.undecided += counts->undecided;
+    for (const DescentCounts& counts : {worker.descent.counts(), worker.in_leaf.counts()}) {
+      report_.evaluations += counts.evaluations;
+      report_.undecided += counts.undecided;
     }
     if (worker.points.empty()) return;
     if (leaf != Region::no_leaf) {
