@@ -36,11 +36,13 @@ bool LeafDescent::run(const Region& region) {
   region_ = {region.cube, middle, final_size(level_, region.cube.size),
              triangles_.error() + level_.rounding / 4};
   finished_.begin(region_);
-  std::array<std::uint16_t, LeafTriangles::most> numbers;
-  std::iota(numbers.begin(), numbers.end(), std::uint16_t{0});
-  siblings_[0].cubes[0] = region.cube;
-  siblings_[0].count = 1;
-  descend(0, {numbers.data(), triangles_.frames().size()}, sided);
+  Siblings& alone = siblings_[0];
+  alone.cubes[0] = region.cube;
+  alone.count = 1;
+  alone.list.count = triangles_.frames().size();
+  alone.list.has_supports = false;
+  std::iota(alone.list.numbers.begin(), alone.list.numbers.end(), std::uint16_t{0});
+  descend(0, sided);
   finished_.end();
   return true;
 }
@@ -52,80 +54,80 @@ LeafDescent::Sided LeafDescent::side_of(const Cube& cube, double distance) noexc
   return level_.on_side(signed_distance(field_, cube.centre())) ? Sided::right : Sided::wrong;
 }
 
-void LeafDescent::find_supports_of(Siblings& cubes, FrameNumbers numbers) {
+NearTriangles LeafDescent::near(const List& list) const noexcept {
+  return {triangles_.frames(),
+          {list.numbers.data(), list.count},
+          {list.supports.data(), list.has_supports ? list.count : 0},
+          support_slack * region_.error};
+}
+
+void LeafDescent::find_supports_of(Siblings& cubes) {
   centres_.count = 0;
   for (std::size_t i = 0; i < cubes.count; ++i) centres_.add(from_middle(cubes.cubes[i].centre()));
-  const double half = grown_half(cubes.cubes[0].size);
-  find_supports(triangles_.frames(), numbers, centres_, half, region_.error, cubes.supports.data());
+  find_supports(near(cubes.list), centres_, grown_half(cubes.cubes[0].size), region_.error, cubes.supports);
   counts_.evaluations += cubes.count;
 }
 
-/// Into the siblings of that depth, all of them in a cube that these numbers may be closest in.
-void LeafDescent::descend(std::size_t depth, FrameNumbers numbers, Sided sided) {
+void LeafDescent::descend(std::size_t depth, Sided sided) {
   Siblings& cubes = siblings_[depth];
-  if (cubes.supports.size() < numbers.size()) cubes.supports.resize(numbers.size());
-  find_supports_of(cubes, numbers);
+  find_supports_of(cubes);
+  const double most = level_.reach(cubes.cubes[0].half_diagonal()) + region_.error;
   for (std::size_t child = 0; child < cubes.count; ++child) {
-    double distance = cubes.supports[0].distance[child];
-    for (std::size_t n = 1; n < numbers.size(); ++n)
-      distance = std::min(distance, cubes.supports[n].distance[child]);
-    const Cube& cube = cubes.cubes[child];
-    if (std::fabs(distance - level_.height) > level_.reach(cube.half_diagonal()) + region_.error) continue;
-    const Sided own = sided == Sided::open ? side_of(cube, distance) : sided;
-    if (own != Sided::wrong) enter(depth, child, numbers, own);
+    const double distance = cubes.supports.least[child];
+    if (std::fabs(distance - level_.height) > most) continue;
+    const Sided own = sided == Sided::open ? side_of(cubes.cubes[child], distance) : sided;
+    if (own != Sided::wrong) enter(depth, child, own);
   }
 }
 
 /// A cube that passes.
-void LeafDescent::enter(std::size_t depth, std::size_t child, FrameNumbers numbers, Sided sided) {
+void LeafDescent::enter(std::size_t depth, std::size_t child, Sided sided) {
   const Siblings& cubes = siblings_[depth];
   const Cube& cube = cubes.cubes[child];
-  if (sided == Sided::right && cube.size <= small_side * region_.final_size)
-    return finish(cubes, child, numbers);
-  if (cube.size <= region_.final_size) return single_.finish(cube);
-  std::array<std::uint16_t, LeafTriangles::most> kept;
-  std::size_t count = 0;
-  for (std::size_t n = 0; n < numbers.size(); ++n) {
-    kept[count] = numbers[n];
-    count += cubes.supports[n].is_near >> child & 1U;
+  if (sided == Sided::right && cube.size <= small_side * region_.final_size) {
+    gather(cubes, child, small_);
+    return finish(cube, small_);
   }
+  if (cube.size <= region_.final_size) return single_.finish(cube);
   Siblings& octants = siblings_[depth + 1];
+  gather(cubes, child, octants.list);
   octants.count = 8;
   for (int i = 0; i < 8; ++i) octants.cubes[static_cast<std::size_t>(i)] = cube.octant(i);
-  descend(depth + 1, {kept.data(), count}, sided);
+  descend(depth + 1, sided);
 }
 
-/// A small cube on the contour's side.
-void LeafDescent::finish(const Siblings& cubes, std::size_t child, FrameNumbers numbers) {
-  const Cube& cube = cubes.cubes[child];
-  const Vec3 centre = from_middle(cube.centre());
-  std::size_t count = 0, closest = 0;
-  double distance = 0;
-  for (std::size_t n = 0; n < numbers.size(); ++n) {
-    const Support& support = cubes.supports[n];
-    if ((support.is_near >> child & 1U) == 0) continue;
-    if (count == 0 || support.distance[child] < distance) {
-      closest = count;
-      distance = support.distance[child];
-    }
-    numbers_[count] = numbers[n];
-    supports_[count++] = support.axis(child, centre);
+/// The order stays the same but for the first one's, so that ties fall the same way whatever else is in a
+/// list.
+void LeafDescent::gather(const Siblings& cubes, std::size_t child, List& list) const noexcept {
+  const Vec3 centre = from_middle(cubes.cubes[child].centre());
+  list.count = 0;
+  list.distance = cubes.supports.least[child];
+  std::ptrdiff_t closest = -1;
+  for (std::size_t n = 0; n < cubes.list.count; ++n) {
+    if ((cubes.supports.near[n] >> child & 1U) == 0) continue;
+    if (closest < 0 && cubes.supports.of[n].distance[child] == list.distance)
+      closest = static_cast<std::ptrdiff_t>(list.count);
+    list.numbers[list.count] = cubes.list.numbers[n];
+    list.supports[list.count++] = cubes.supports.axis(n, child, centre);
   }
-  std::swap(numbers_[0], numbers_[closest]);
-  std::swap(supports_[0], supports_[closest]);
-  // Too close to a triangle, supports say nothing; without them all small cubes are measured.
-  const double half = grown_half(cube.size);
-  const bool has_supports = distance >= half;
-  const NearTriangles near{triangles_.frames(),
-                           {numbers_.data(), count},
-                           {supports_.data(), has_supports ? count : 0},
-                           support_slack * region_.error};
-  const double size = region_.final_size;
-  const double most = has_supports ? level_.reach(Cube{{}, size}.half_diagonal()) + region_.error + near.slack
-                                   : std::numeric_limits<double>::infinity();
+  std::rotate(list.numbers.begin(), list.numbers.begin() + closest, list.numbers.begin() + closest + 1);
+  std::rotate(list.supports.begin(), list.supports.begin() + closest, list.supports.begin() + closest + 1);
+  list.has_supports = true;
+}
+
+/// A small cube on the contour's side. Too close to a triangle supports bound nothing from above, and all
+/// small cubes are measured.
+void LeafDescent::finish(const Cube& cube, const List& list) {
+  NearTriangles near = this->near(list);
+  const double size = region_.final_size, half = grown_half(cube.size);
+  double most = level_.reach(Cube{{}, size}.half_diagonal()) + region_.error + near.slack;
+  if (list.distance < half) {
+    near.supports = {};
+    most = std::numeric_limits<double>::infinity();
+  }
   const auto along = static_cast<std::size_t>(std::round(cube.size / size));
-  find_between(near.supports, {centre, along, size}, std::max(distance, half), level_.height - most,
-               level_.height + most, centres_);
+  find_between(near.supports, {from_middle(cube.centre()), along, size}, std::max(list.distance, half),
+               level_.height - most, level_.height + most, centres_);
   if (centres_.count > 0) finished_.put(centres_, near);
 }
 

@@ -50,19 +50,30 @@ class LeafDescent {
  private:
   /// What is known of a cube: is all of it on the contour's side?
   enum class Sided { open, right, wrong };
-  /// A cube's octants, or the region alone.
+  /// The triangles that may be closest in a cube, the one closest to its centre first, and their supports.
+  struct List {
+    std::array<std::uint16_t, LeafTriangles::most> numbers;
+    std::array<TriangleFrame::Axis, LeafTriangles::most> supports;
+    std::size_t count = 0;
+    double distance = 0;  ///< of the first, from the centre
+    bool has_supports = false;
+  };
+  /// A cube's octants and its list, or the region alone with all of the leaf's.
   struct Siblings {
     std::array<Cube, 8> cubes;
     std::size_t count = 0;
-    std::vector<Support> supports;  ///< by number's place
+    List list;
+    Supports supports;
   };
 
   Sided side_in(const Region& region) const noexcept;
   Sided side_of(const Cube& cube, double distance) noexcept;
-  void descend(std::size_t depth, FrameNumbers numbers, Sided sided);
-  void find_supports_of(Siblings& cubes, FrameNumbers numbers);
-  void enter(std::size_t depth, std::size_t child, FrameNumbers numbers, Sided sided);
-  void finish(const Siblings& cubes, std::size_t child, FrameNumbers numbers);
+  void descend(std::size_t depth, Sided sided);
+  void find_supports_of(Siblings& cubes);
+  void gather(const Siblings& cubes, std::size_t child, List& list) const noexcept;
+  NearTriangles near(const List& list) const noexcept;
+  void enter(std::size_t depth, std::size_t child, Sided sided);
+  void finish(const Cube& cube, const List& list);
   /// Half the edge of a cube grown by what a point may be moved: lists have to hold for that.
   double grown_half(double size) const noexcept {
     return size / 2 + LeafPoints::grown_by * region_.final_size;
@@ -81,10 +92,7 @@ class LeafDescent {
   LeafRegion region_;
   std::array<Siblings, region_depth + 1> siblings_;  ///< by depth
   RegionPoints centres_;
-
-  // Of a small cube, what may be closest in it, the closest from its centre first.
-  std::array<std::uint16_t, LeafTriangles::most> numbers_;
-  std::array<TriangleFrame::Axis, LeafTriangles::most> supports_;
+  List small_;  ///< of a small cube
 };
 
 }  // namespace cdfr

@@ -9,12 +9,13 @@
 #include "field/field_data.h"
 #include "geometry/feet.h"
 #include "geometry/place_estimate.h"
+#include "geometry/supports.h"
 
 namespace cdfr {
 
 class LeafTriangles {
  public:
-  static constexpr std::size_t most = 512;
+  static constexpr std::size_t most = Supports::most_numbers;
 
   explicit LeafTriangles(const FieldData& field) : triangles_(field.triangles) {}
 

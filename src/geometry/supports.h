@@ -19,6 +19,7 @@
 /// Closer cubes, w < h, keep all triangles.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -34,19 +35,33 @@ inline constexpr double support_slack = 8;
 struct alignas(64) Support {
   static constexpr std::size_t most = 8;
   double distance[most];
-  double way[3][most];   ///< unit, from the foot to the centre
-  std::uint8_t is_near;  ///< bit i: the triangle may be closest somewhere in cube i
+  double way[3][most];  ///< unit, from the foot to the centre
+};
 
-  TriangleFrame::Axis axis(std::size_t cube, const Vec3& centre) const noexcept {
-    const double x = way[0][cube], y = way[1][cube], z = way[2][cube];
-    return {{x, y, z}, x * centre.x + y * centre.y + z * centre.z - distance[cube]};
+/// Of a list of triangles, for up to eight cubes of one size.
+struct Supports {
+  static constexpr std::size_t most_numbers = 512;
+  std::array<Support, most_numbers> of;                 ///< by place in the list, if it is near any cube
+  std::array<std::uint8_t, most_numbers> near;          ///< bit i: it may be closest somewhere in cube i
+  alignas(64) std::array<double, Support::most> least;  ///< distances from the centres
+  double half;                                          ///< of a cube's edge
+
+  /// A coordinate that is at most the triangle's distance all over the cube: from the support, or, of a
+  /// triangle too close for that, the least that slope 1 allows.
+  TriangleFrame::Axis axis(std::size_t place, std::size_t cube, const Vec3& centre) const noexcept {
+    const Support& own = of[place];
+    const double d = own.distance[cube];
+    if (d < half) return {{0, 0, 0}, 1.75 * half - d};
+    const double x = own.way[0][cube], y = own.way[1][cube], z = own.way[2][cube];
+    return {{x, y, z}, x * centre.x + y * centre.y + z * centre.z - d};
   }
 };
 
-/// By number's place. Cubes of half edge `half` about the centres, at most Support::most; `error` is the
-/// largest of the frames'.
-void find_supports(std::span<const TriangleFrame> frames, FrameNumbers numbers, const RegionPoints& centres,
-                   double half, double error, Support* supports) noexcept;
+/// Cubes of half edge `half` about the centres, at most Support::most; `error` is the largest of the frames'.
+/// Supports in `near` are those of a larger cube that holds them all, and spare most of the work if its
+/// closest triangle comes first.
+void find_supports(const NearTriangles& near, const RegionPoints& centres, double half, double error,
+                   Supports& supports) noexcept;
 
 /// A cube of `along`^3 smaller ones, 1, 2 or 4 a side.
 struct SmallCubes {
