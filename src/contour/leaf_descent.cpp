@@ -47,13 +47,6 @@ bool LeafDescent::run(const Region& region) {
   return true;
 }
 
-/// A cube that no triangle enters is on one side.
-LeafDescent::Sided LeafDescent::side_of(const Cube& cube, double distance) noexcept {
-  if (!(distance > cube.half_diagonal() + region_.error)) return Sided::open;
-  ++counts_.evaluations;
-  return level_.on_side(signed_distance(field_, cube.centre())) ? Sided::right : Sided::wrong;
-}
-
 NearTriangles LeafDescent::near(const List& list) const noexcept {
   return {triangles_.frames(),
           {list.numbers.data(), list.count},
@@ -68,14 +61,26 @@ void LeafDescent::find_supports_of(Siblings& cubes) {
   counts_.evaluations += cubes.count;
 }
 
+/// Which side that point off the surface is on.
+LeafDescent::Sided LeafDescent::side_of(const Vec3& x) noexcept {
+  ++counts_.evaluations;
+  return level_.on_side(signed_distance(field_, x)) ? Sided::right : Sided::wrong;
+}
+
+/// Cubes that no triangle enters are on one side, and octants all on the same one: they have a corner in
+/// common.
 void LeafDescent::descend(std::size_t depth, Sided sided) {
   Siblings& cubes = siblings_[depth];
   find_supports_of(cubes);
-  const double most = level_.reach(cubes.cubes[0].half_diagonal()) + region_.error;
+  const double half_diagonal = cubes.cubes[0].half_diagonal();
+  const double most = level_.reach(half_diagonal) + region_.error;
+  Sided of_clear = sided;
   for (std::size_t child = 0; child < cubes.count; ++child) {
     const double distance = cubes.supports.least[child];
     if (std::fabs(distance - level_.height) > most) continue;
-    const Sided own = sided == Sided::open ? side_of(cubes.cubes[child], distance) : sided;
+    const bool is_clear = sided != Sided::open || distance > half_diagonal + region_.error;
+    if (is_clear && of_clear == Sided::open) of_clear = side_of(cubes.cubes[child].centre());
+    const Sided own = is_clear ? of_clear : Sided::open;
     if (own != Sided::wrong) enter(depth, child, own);
   }
 }

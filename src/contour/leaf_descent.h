@@ -67,7 +67,7 @@ class LeafDescent {
   };
 
   Sided side_in(const Region& region) const noexcept;
-  Sided side_of(const Cube& cube, double distance) noexcept;
+  Sided side_of(const Vec3& x) noexcept;
   void descend(std::size_t depth, Sided sided);
   void find_supports_of(Siblings& cubes);
   void gather(const Siblings& cubes, std::size_t child, List& list) const noexcept;

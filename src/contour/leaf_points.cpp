@@ -50,15 +50,15 @@ double LeafPoints::error_of(double move) const noexcept {
   return move > 0 ? 2 * error : error;
 }
 
-/// The point at the height.
-ContourPoint LeafPoints::point_at(std::size_t i, const Vec3& from, double move) {
+/// The point at the height, written where it stays: a copy would wait for its parts.
+void LeafPoints::set_point(ContourPoint& point, std::size_t i, const Vec3& from, double move) {
   const Vec3 x = level_.rule == Rule::paper ? from : moved_by(move, i, from);
   const double side = level_.side;
-  return {{region_.middle.x + x.x, region_.middle.y + x.y, region_.middle.z + x.z},
-          {side * feet_.away[0][i], side * feet_.away[1][i], side * feet_.away[2][i]},
-          triangles_.base_triangle(static_cast<std::size_t>(feet_.number[i]),
-                                   static_cast<TrianglePlace>(feet_.place[i])),
-          error_of(move)};
+  point.position = {region_.middle.x + x.x, region_.middle.y + x.y, region_.middle.z + x.z};
+  point.normal = {side * feet_.away[0][i], side * feet_.away[1][i], side * feet_.away[2][i]};
+  point.triangle = triangles_.base_triangle(static_cast<std::size_t>(feet_.number[i]),
+                                            static_cast<TrianglePlace>(feet_.place[i]));
+  point.error = error_of(move);
 }
 
 bool LeafPoints::in_region(const Vec3& x) const noexcept { return largest_of(x) <= region_.cube.size / 2; }
@@ -66,7 +66,7 @@ bool LeafPoints::in_region(const Vec3& x) const noexcept { return largest_of(x) 
 void LeafPoints::put_one(std::size_t i, const Vec3& centre, bool is_alone) {
   if (!has_way(i)) return failed_.push_back({centre, points_.size(), false});
   const double move = level_.height - feet_.distance[i];
-  points_.push_back(point_at(i, centre, move));
+  set_point(points_.emplace_back(), i, centre, move);
   if (move <= 0 || level_.rule == Rule::paper) return;
   const Vec3 beyond = moved_by(move + 1.5 * region_.error, i, centre);
   if (!in_region(beyond)) {
@@ -88,7 +88,7 @@ bool LeafPoints::put_again(std::size_t i, const Placed& placed) {
   const double half = level_.tolerance / 2;
   if (largest_of(off) > (0.5 + grown_by) * region_.final_size) return false;
   if (off.x * off.x + off.y * off.y + off.z * off.z > half * half) return false;
-  points_[placed.point] = point_at(i, again_.point(i), move);
+  set_point(points_[placed.point], i, again_.point(i), move);
   points_[placed.point].error = 2 * region_.error;
   moved_.add(beyond);
   moved_from_.push_back(placed);

@@ -56,7 +56,7 @@ class LeafPoints {
 
   bool has_way(std::size_t i) const noexcept;
   Vec3 moved_by(double length, std::size_t i, const Vec3& from) const noexcept;
-  ContourPoint point_at(std::size_t i, const Vec3& from, double move);
+  void set_point(ContourPoint& point, std::size_t i, const Vec3& from, double move);
   double error_of(double move) const noexcept;
   bool in_region(const Vec3& x) const noexcept;
   void put_one(std::size_t i, const Vec3& centre, bool is_alone);
