@@ -26,7 +26,8 @@ void LeafPoints::put(const RegionPoints& centres, const NearTriangles& near) {
   const double most = level_.reach(Cube{{}, region_.final_size}.half_diagonal()) + region_.error;
   const bool is_alone = near.numbers.size() == 1;
   for (std::size_t i = 0; i < centres.count; ++i) {
-    if (std::fabs(feet_.distance[i] - level_.height) <= most) put_one(i, centres.point(i), is_alone);
+    const double move = level_.height - feet_.distance[i];
+    if (std::fabs(move) <= most) put_one(i, centres.point(i), move, is_alone);
   }
   check_moved(near);
   redo_failed();
@@ -63,9 +64,8 @@ void LeafPoints::set_point(ContourPoint& point, std::size_t i, const Vec3& from,
 
 bool LeafPoints::in_region(const Vec3& x) const noexcept { return largest_of(x) <= region_.cube.size / 2; }
 
-void LeafPoints::put_one(std::size_t i, const Vec3& centre, bool is_alone) {
+void LeafPoints::put_one(std::size_t i, const Vec3& centre, double move, bool is_alone) {
   if (!has_way(i)) return failed_.push_back({centre, points_.size(), false});
-  const double move = level_.height - feet_.distance[i];
   set_point(points_.emplace_back(), i, centre, move);
   if (move <= 0 || level_.rule == Rule::paper) return;
   const Vec3 beyond = moved_by(move + 1.5 * region_.error, i, centre);

@@ -59,7 +59,7 @@ class LeafPoints {
   void set_point(ContourPoint& point, std::size_t i, const Vec3& from, double move);
   double error_of(double move) const noexcept;
   bool in_region(const Vec3& x) const noexcept;
-  void put_one(std::size_t i, const Vec3& centre, bool is_alone);
+  void put_one(std::size_t i, const Vec3& centre, double move, bool is_alone);
   bool put_again(std::size_t i, const Placed& placed);
   void check_moved(const NearTriangles& near);
   bool is_below(const Vec3& centre, const NearTriangles& near);

@@ -37,7 +37,7 @@ bool LeafTriangles::fill(std::span<const Entry> list, const Vec3& middle, double
   for (const std::uint32_t slot : slots_) {
     const TriangleShape& shape = triangles_.shape(slot);
     frames_.push_back(triangle_frame(shape, middle, radius));
-    has_face_.push_back(!(rounded(shape.normal) == Vec3{}));
+    has_face_.push_back(rounded(shape.normal) == Vec3{} ? 0 : 1);
     error_ = std::max(error_, frames_.back().error);
   }
   std::array<std::uint32_t, 7> none;
@@ -52,7 +52,7 @@ std::uint32_t LeafTriangles::lowest_at(std::size_t number, TrianglePlace place) 
   std::uint32_t lowest = own.number;
   for (std::size_t k = 0; k < slots_.size(); ++k) {
     const TriangleRecord& other = triangles_.records[slots_[k]];
-    if (other.number < lowest && shares(own, other, place) && has_face_[k]) lowest = other.number;
+    if (other.number < lowest && shares(own, other, place) && has_face(k)) lowest = other.number;
   }
   return lowest;
 }

@@ -25,7 +25,7 @@ class LeafTriangles {
   std::span<const TriangleFrame> frames() const noexcept { return frames_; }
   /// The largest of TriangleFrame::error.
   double error() const noexcept { return error_; }
-  bool has_face(std::size_t number) const noexcept { return has_face_[number]; }
+  bool has_face(std::size_t number) const noexcept { return has_face_[number] != 0; }
   /// The number in the input of the lowest of the triangles that share the feature at that place.
   std::uint32_t base_triangle(std::size_t number, TrianglePlace place) {
     std::uint32_t& base = base_[number][place];
@@ -40,7 +40,7 @@ class LeafTriangles {
   const TriangleStore& triangles_;
   std::vector<std::uint32_t> slots_;
   std::vector<TriangleFrame> frames_;
-  std::vector<bool> has_face_;
+  std::vector<std::uint8_t> has_face_;
   std::vector<std::array<std::uint32_t, 7>> base_;  ///< by number and place, as far as asked for
   double error_ = 0;
 };

@@ -161,11 +161,13 @@ void find_between_here(std::span<const TriangleFrame::Axis> supports, const Smal
     const Vector most = plus(least, times(curved, square));
     Mask between = hn::And(hn::Le(least, constant(hi)), hn::Ge(most, constant(lo)));
     between = hn::And(between, hn::FirstN(Tag(), all - first));
+    unsigned left = bits_of(between);
+    if (left == 0) continue;
     HWY_ALIGN double at[3][Support::most];
     hn::Store(p.x, Tag(), at[0]);
     hn::Store(p.y, Tag(), at[1]);
     hn::Store(p.z, Tag(), at[2]);
-    for (unsigned left = bits_of(between); left != 0; left &= left - 1) {
+    for (; left != 0; left &= left - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(left));
       centres.add({at[0][i], at[1][i], at[2][i]});
     }
