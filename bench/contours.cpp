@@ -1,7 +1,7 @@
 /// Contours: time a point, distances a point, two threads, the source paper's way over the same leaves, and
 /// time a triangle of the contour as a mesh.
-///   bench_contours [--json FILE] [--models PART_OF_NAME] [--fineness N] [--mesh-limit SECONDS]
-///                  [options of Google Benchmark]
+///   bench_contours [--json FILE] [--models PART_OF_NAME] [--fineness N] [--rounds N]
+///                  [--mesh-limit SECONDS] [options of Google Benchmark]
 ///   bench_contours --peak POINTS [--folder FOLDER]
 #include <benchmark/benchmark.h>
 
@@ -57,9 +57,10 @@ struct Extracted {
   ContourReport report;
 };
 
-Extracted extract(const Field& field, double distance, const ContourOptions& options, unsigned threads) {
+Extracted extract(const Field& field, double distance, const ContourOptions& options, unsigned threads,
+                  int rounds) {
   Extracted best;
-  for (int round = 0; round < 3; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     Counter sink;
     Run run;
     run.threads = threads;
@@ -81,6 +82,7 @@ std::vector<std::string> left_out;
 struct Options {
   double fineness = 1024;  ///< longest side by tolerance of points; that of meshes is twice as large
   double mesh_limit = 60;  ///< seconds for a mesh
+  int rounds = 3;          ///< of which the least counts
 };
 
 /// Contours at two depths, shares of the greatest, and two distances outside, shares of the longest side.
@@ -98,7 +100,8 @@ void contours(benchmark::State& state, const Model& model, const Options& asked)
   std::map<std::string, std::vector<double>> own;
   for ([[maybe_unused]] auto turn : state) {
     for (const double distance : distances) {
-      const Extracted one = extract(field, distance, options, 1), two = extract(field, distance, options, 2);
+      const Extracted one = extract(field, distance, options, 1, asked.rounds);
+      const Extracted two = extract(field, distance, options, 2, asked.rounds);
       const auto points = static_cast<double>(one.report.points);
       if (points == 0) continue;
       own["points"].push_back(points);
@@ -173,6 +176,7 @@ int main(int count, char** arguments) {
   const std::string filter = take_value(count, arguments, "--models");
   const std::string fineness = take_value(count, arguments, "--fineness");
   const std::string mesh_limit = take_value(count, arguments, "--mesh-limit");
+  const std::string rounds = take_value(count, arguments, "--rounds");
   const std::string points = take_value(count, arguments, "--peak");
   const std::string folder = take_value(count, arguments, "--folder");
   if (!points.empty()) return peak(std::atof(points.c_str()), folder.empty() ? "." : folder);
@@ -181,6 +185,7 @@ int main(int count, char** arguments) {
   Options asked;
   if (!fineness.empty()) asked.fineness = std::atof(fineness.c_str());
   if (!mesh_limit.empty()) asked.mesh_limit = std::atof(mesh_limit.c_str());
+  if (!rounds.empty()) asked.rounds = std::max(1, std::atoi(rounds.c_str()));
   for (const Model& model : public_models(filter)) {
     benchmark::RegisterBenchmark(("contours/" + model.name).c_str(), [=](benchmark::State& state) {
       contours(state, model, asked);
