@@ -54,15 +54,18 @@ struct Worker {
   LeafDescent in_leaf;
 };
 
+/// In locals, which stay in registers.
 void describe(const std::vector<ContourPoint>& points, ContourReport& report) {
-  report.points += points.size();
+  Vec3 lo = report.box.lo, hi = report.box.hi;
+  double most = report.max_error;
   for (const ContourPoint& p : points) {
-    if (std::isfinite(p.error)) report.max_error = std::max(report.max_error, p.error);
-    report.box = {{std::min(report.box.lo.x, p.position.x), std::min(report.box.lo.y, p.position.y),
-                   std::min(report.box.lo.z, p.position.z)},
-                  {std::max(report.box.hi.x, p.position.x), std::max(report.box.hi.y, p.position.y),
-                   std::max(report.box.hi.z, p.position.z)}};
+    if (std::isfinite(p.error)) most = std::max(most, p.error);
+    lo = {std::min(lo.x, p.position.x), std::min(lo.y, p.position.y), std::min(lo.z, p.position.z)};
+    hi = {std::max(hi.x, p.position.x), std::max(hi.y, p.position.y), std::max(hi.z, p.position.z)};
   }
+  report.points += points.size();
+  report.max_error = most;
+  report.box = {lo, hi};
 }
 
 class Extraction {
@@ -106,9 +109,9 @@ class Extraction {
   }
 
   void take(const Worker& worker, std::uint64_t leaf) {
-    for (const DescentCounts* counts : {&worker.descent.counts(), &worker.in_leaf.counts()}) {
-      report_.evaluations += counts->evaluations;
-      report_.undecided += counts->undecided;
+    for (const DescentCounts& counts : {worker.descent.counts(), worker.in_leaf.counts()}) {
+      report_.evaluations += counts.evaluations;
+      report_.undecided += counts.undecided;
     }
     if (worker.points.empty()) return;
     if (leaf != Region::no_leaf) {

@@ -17,136 +17,65 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "geometry/double_double_lanes.inc"
+#include "geometry/frame_lanes.inc"
 
 HWY_BEFORE_NAMESPACE();
 namespace cdfr {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE Vector coordinate(const Vector3& p, const TriangleFrame::Axis& axis) {
-  return times(axis.way[0], p.x) + times(axis.way[1], p.y) + times(axis.way[2], p.z) - constant(axis.start);
+/// Is the triangle of that place in the list farther from all points than those squared distances?
+HWY_INLINE bool is_farther(const Vector3& p, const NearTriangles& near, std::size_t k, Vector squared) {
+  if (near.supports.empty()) return false;
+  const Vector least = hn::Max(minus(coordinate(p, near.supports[k]), constant(near.slack)), constant(0));
+  return hn::AllTrue(Tag(), hn::Gt(times(least, least), squared));
 }
 
-/// A point by an edge's frame.
-struct Beside {
-  Vector x, y;
-  Vector beyond;   ///< x less what the edge covers of it
-  Vector squared;  ///< distance from the edge in the triangle's plane
-};
-
-HWY_INLINE Beside beside(const Vector3& p, const TriangleFrame::Edge& edge) {
-  Beside b;
-  b.x = coordinate(p, edge.along);
-  b.y = coordinate(p, edge.inwards);
-  b.beyond = b.x - least_of(most_of(b.x, constant(0)), constant(edge.length));
-  b.squared = b.beyond * b.beyond + b.y * b.y;
-  return b;
-}
-
-/// A point by all of a triangle's frames.
-struct Seen {
-  Beside edges[3];
-  Vector height, border, squared;
-  Mask is_beside;
-};
-
-HWY_INLINE Seen seen(const Vector3& p, const TriangleFrame& t) {
-  Seen s;
-  for (int k = 0; k < 3; ++k) s.edges[k] = beside(p, t.edges[k]);
-  s.height = coordinate(p, t.height);
-  s.border = least_of(least_of(s.edges[0].squared, s.edges[1].squared), s.edges[2].squared);
-  s.is_beside = least_of(least_of(s.edges[0].y, s.edges[1].y), s.edges[2].y) <= constant(t.doubt);
-  s.squared = s.height * s.height + choose(s.is_beside, s.border, constant(0));
-  return s;
-}
-
-HWY_INLINE Vector3 points_at(const RegionPoints& points, std::size_t first) {
-  return {load(points.at[0] + first), load(points.at[1] + first), load(points.at[2] + first)};
-}
-
-void squared_distances_here(std::span<const TriangleFrame> frames, FrameNumbers numbers,
-                            const RegionPoints& points, double* squared) {
+void squared_distances_here(const NearTriangles& near, double most, const RegionPoints& points,
+                            double* squared) {
   for (std::size_t first = 0; first < points.count; first += vector_lanes()) {
     const Vector3 p = points_at(points, first);
-    Vector least = constant(std::numeric_limits<double>::infinity());
-    for (const std::uint16_t number : numbers) least = least_of(least, seen(p, frames[number]).squared);
-    store(least, squared + first);
-  }
-}
-
-/// The offset in the plane and the place, by the closest edge.
-struct Border {
-  Vector3 offset;
-  Vector place;
-};
-
-HWY_INLINE Border border(const Seen& s, const TriangleFrame& t) {
-  Border best;
-  for (int k = 0; k < 3; ++k) {
-    const Beside& b = s.edges[k];
-    const TriangleFrame::Edge& edge = t.edges[k];
-    const auto component = [&](int axis) {
-      return times(edge.along.way[axis], b.beyond) + times(edge.inwards.way[axis], b.y);
-    };
-    Vector place = choose(b.beyond < constant(0), constant(4 + k), constant(1 + k));
-    place = choose(b.beyond > constant(0), constant(4 + (k + 1) % 3), place);
-    const Border own{{component(0), component(1), component(2)}, place};
-    if (k == 0) {
-      best = own;
-      continue;
+    Vector least = constant(most * most);
+    for (std::size_t k = 0; k < near.numbers.size(); ++k) {
+      if (is_farther(p, near, k, least)) continue;
+      least = hn::Min(least, seen(p, near.frames[near.numbers[k]]).squared);
     }
-    const Mask is_best = b.squared <= s.border;
-    best.offset = {choose(is_best, own.offset.x, best.offset.x), choose(is_best, own.offset.y, best.offset.y),
-                   choose(is_best, own.offset.z, best.offset.z)};
-    best.place = choose(is_best, own.place, best.place);
+    hn::Store(least, Tag(), squared + first);
   }
-  return best;
 }
 
-/// Of the vector's points: unit vectors for faces, offsets for the rest.
+/// Of the vector's points.
 struct Closest {
-  Vector squared, number, place;
-  Vector3 way;
+  Vector squared, number;
+  Away away;
 };
 
 HWY_INLINE void meet(const Vector3& p, const TriangleFrame& t, double number, Closest& best) {
-  const Vector zero = constant(0);
   const Seen s = seen(p, t);
-  const Mask closer = s.squared < best.squared;
+  const Mask closer = hn::Lt(s.squared, best.squared);
   if (!any(closer)) return;
-  best.squared = least_of(best.squared, s.squared);
+  const Away away = away_from(s, t);
+  best.squared = hn::Min(best.squared, s.squared);
   best.number = choose(closer, constant(number), best.number);
-  const Vector above = choose(s.height < zero, constant(-1), constant(1));
-  Vector3 way{times(t.height.way[0], above), times(t.height.way[1], above), times(t.height.way[2], above)};
-  Vector place = zero;
-  if (any(closer & s.is_beside)) {
-    const Border b = border(s, t);
-    const auto own = [&](int axis, Vector in_plane, Vector face) {
-      return choose(s.is_beside, times(t.height.way[axis], s.height) + in_plane, face);
-    };
-    way = {own(0, b.offset.x, way.x), own(1, b.offset.y, way.y), own(2, b.offset.z, way.z)};
-    place = choose(s.is_beside, b.place, zero);
-  }
-  best.way = {choose(closer, way.x, best.way.x), choose(closer, way.y, best.way.y),
-              choose(closer, way.z, best.way.z)};
-  best.place = choose(closer, place, best.place);
+  best.away = {choose(closer, away.way, best.away.way), choose(closer, away.place, best.away.place)};
 }
 
 /// Stores what belongs to the vector's points at `first`.
 template <class Stored>
 HWY_INLINE void store_closest(const Closest& best, std::size_t first, Stored& feet) {
-  const Vector zero = constant(0), distance = root(best.squared);
-  const Vector scale = choose(best.place > zero, constant(1) / distance, constant(1));
-  store(distance, feet.distance + first);
-  store(best.way.x * scale, feet.away[0] + first);
-  store(best.way.y * scale, feet.away[1] + first);
-  store(best.way.z * scale, feet.away[2] + first);
-  store(best.place, feet.place + first);
+  const Vector distance = hn::Sqrt(best.squared);
+  const Vector3& way = best.away.way;
+  const Vector scale =
+      choose(hn::Gt(best.away.place, constant(0)), hn::Div(constant(1), distance), constant(1));
+  hn::Store(distance, Tag(), feet.distance + first);
+  hn::Store(times(way.x, scale), Tag(), feet.away[0] + first);
+  hn::Store(times(way.y, scale), Tag(), feet.away[1] + first);
+  hn::Store(times(way.z, scale), Tag(), feet.away[2] + first);
+  hn::Store(best.away.place, Tag(), feet.place + first);
 }
 
 HWY_INLINE Closest none_yet() {
   const Vector zero = constant(0);
-  return {constant(std::numeric_limits<double>::infinity()), zero, zero, {zero, zero, zero}};
+  return {constant(std::numeric_limits<double>::infinity()), zero, {{zero, zero, zero}, zero}};
 }
 
 /// A vector may be longer than eight: its first half counts then.
@@ -169,15 +98,17 @@ void find_each_foot_here(std::span<const TriangleFrame> frames, FrameNumbers num
   }
 }
 
-void find_feet_here(std::span<const TriangleFrame> frames, FrameNumbers numbers, const RegionPoints& points,
-                    std::size_t start, Feet& feet) {
+void find_feet_here(const NearTriangles& near, const RegionPoints& points, std::size_t start, Feet& feet) {
   const std::size_t count = std::min(Feet::most, points.count - start);
   for (std::size_t first = 0; first < count; first += vector_lanes()) {
     const Vector3 p = points_at(points, start + first);
     Closest best = none_yet();
-    for (const std::uint16_t n : numbers) meet(p, frames[n], n, best);
+    for (std::size_t k = 0; k < near.numbers.size(); ++k) {
+      if (is_farther(p, near, k, best.squared)) continue;
+      meet(p, near.frames[near.numbers[k]], near.numbers[k], best);
+    }
     store_closest(best, first, feet);
-    store(best.number, feet.number + first);
+    hn::Store(best.number, Tag(), feet.number + first);
   }
 }
 
@@ -229,14 +160,14 @@ TriangleFrame triangle_frame(const TriangleShape& shape, const Vec3& middle, dou
   return frame;
 }
 
-void squared_distances(std::span<const TriangleFrame> frames, FrameNumbers numbers,
-                       const RegionPoints& points, double* squared) noexcept {
-  HWY_DYNAMIC_DISPATCH(squared_distances_here)(frames, numbers, points, squared);
+void squared_distances(const NearTriangles& near, const RegionPoints& points, double* squared,
+                       double most) noexcept {
+  HWY_DYNAMIC_DISPATCH(squared_distances_here)(near, most, points, squared);
 }
 
-void find_feet(std::span<const TriangleFrame> frames, FrameNumbers numbers, const RegionPoints& points,
-               std::size_t first, Feet& feet) noexcept {
-  HWY_DYNAMIC_DISPATCH(find_feet_here)(frames, numbers, points, first, feet);
+void find_feet(const NearTriangles& near, const RegionPoints& points, std::size_t first,
+               Feet& feet) noexcept {
+  HWY_DYNAMIC_DISPATCH(find_feet_here)(near, points, first, feet);
 }
 
 void find_each_foot(std::span<const TriangleFrame> frames, FrameNumbers numbers, const RegionPoints& points,

@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "cdfr/core/types.h"
@@ -75,15 +76,24 @@ struct alignas(64) EightFeet {
   double place[8];
 };
 
-/// Least squared distance of each point to the frames of these numbers. About 1.5 ns a point and triangle
-/// with AVX-512.
-void squared_distances(std::span<const TriangleFrame> frames, FrameNumbers numbers,
-                       const RegionPoints& points, double* squared) noexcept;
+/// The triangles that may be closest to some points.
+struct NearTriangles {
+  std::span<const TriangleFrame> frames;
+  FrameNumbers numbers;
+  /// Of each number, a plane with the triangle behind it (supports.h): its distance is at least that
+  /// coordinate less `slack`. Or none at all. They only spare work: not one bit depends on them.
+  std::span<const TriangleFrame::Axis> supports = {};
+  double slack = 0;
+};
+
+/// Least squared distance of each point to the triangles, or the square of `most` if that is less. About 1.5
+/// ns a point and triangle with AVX-512.
+void squared_distances(const NearTriangles& near, const RegionPoints& points, double* squared,
+                       double most = std::numeric_limits<double>::infinity()) noexcept;
 
 /// Of the points first .. min(first + Feet::most, points.count) - 1. Precondition: `first` is a multiple of
 /// Feet::most.
-void find_feet(std::span<const TriangleFrame> frames, FrameNumbers numbers, const RegionPoints& points,
-               std::size_t first, Feet& feet) noexcept;
+void find_feet(const NearTriangles& near, const RegionPoints& points, std::size_t first, Feet& feet) noexcept;
 
 /// Of the first eight points, from each triangle on its own: feet[i] belongs to numbers[i].
 void find_each_foot(std::span<const TriangleFrame> frames, FrameNumbers numbers, const RegionPoints& points,

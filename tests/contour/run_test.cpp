@@ -1,7 +1,10 @@
-// Threads, cancel and the sink's own errors.
+// Threads, instruction sets, cancel and the sink's own errors.
 #include <gtest/gtest.h>
 
+#include "cdfr/parts/part.h"
 #include "contour/case.h"
+#include "core/collected_points.h"
+#include "support/instruction_sets.h"
 #include "support/meshes.h"
 #include "support/same.h"
 #include "support/ticks.h"
@@ -41,6 +44,25 @@ TEST(ContourRun, SamePointsFromFieldsBuiltByAnyThreads) {
   const auto points = contour_points(Field::build(mesh.view(), {}, run).value(), -0.5, {0.1}).value();
   ASSERT_EQ(points.size(), expected.size());
   for (std::size_t i = 0; i < points.size(); ++i) ASSERT_TRUE(same(points[i], expected[i])) << i;
+}
+
+TEST(ContourRun, SamePointsAndWorkOnEveryInstructionSet) {
+  for (const char* part : {"six-star", "one-tooth"}) {
+    const Field field = Field::build(make_part(part).value().view()).value();
+    for (const double distance : {-0.11, 0.07}) {
+      CollectedPoints expected;
+      const ContourReport first = contour_points(field, distance, {0.04}, expected).value();
+      ASSERT_GT(first.points, 1000U);
+      test::on_every_instruction_set([&] {
+        CollectedPoints collected;
+        const ContourReport report = contour_points(field, distance, {0.04}, collected).value();
+        ASSERT_EQ(report.points, first.points);
+        ASSERT_EQ(report.evaluations, first.evaluations);
+        for (std::size_t i = 0; i < collected.points.size(); ++i)
+          ASSERT_TRUE(same(collected.points[i], expected.points[i])) << part << ' ' << i;
+      });
+    }
+  }
 }
 
 TEST(ContourRun, TickCancelsEarlyAndLate) {

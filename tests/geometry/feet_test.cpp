@@ -75,10 +75,10 @@ TEST(Feet, AreWithinTheBoundOfTheKernels) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
       const Scene scene(seed);
       alignas(64) double squared[RegionPoints::most];
-      squared_distances(scene.frames, scene.numbers, scene.points, squared);
+      squared_distances({scene.frames, scene.numbers}, scene.points, squared);
       for (std::size_t first = 0; first < scene.points.count; first += Feet::most) {
         Feet feet;
-        find_feet(scene.frames, scene.numbers, scene.points, first, feet);
+        find_feet({scene.frames, scene.numbers}, scene.points, first, feet);
         for (std::size_t i = 0; i < std::min(Feet::most, scene.points.count - first); ++i) {
           const Vec3 p = placed(scene, first + i);
           double error = placing;
@@ -110,7 +110,7 @@ TEST(Feet, NameThePlaceWhereItIsPlain) {
   RegionPoints points;
   for (const auto& at : cases) points.add(at.p);
   Feet feet;
-  find_feet(frames, numbers, points, 0, feet);
+  find_feet({frames, numbers}, points, 0, feet);
   for (std::size_t i = 0; i < points.count; ++i) EXPECT_EQ(feet.place[i], cases[i].place) << i;
 }
 
@@ -120,7 +120,7 @@ TEST(Feet, AreTheSameOnEveryInstructionSet) {
   test::on_every_instruction_set([&] {
     Feet feet;
     std::memset(&feet, 0, sizeof feet);
-    find_feet(scene.frames, scene.numbers, scene.points, 0, feet);
+    find_feet({scene.frames, scene.numbers}, scene.points, 0, feet);
     std::vector<unsigned char> bytes(sizeof feet);
     std::memcpy(bytes.data(), &feet, sizeof feet);
     if (first.empty()) first = bytes;
