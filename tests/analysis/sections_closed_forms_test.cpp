@@ -16,7 +16,7 @@ constexpr double rounding = 1e-9;
 
 class SectionsOf : public testing::TestWithParam<std::size_t> {
  protected:
-  static constexpr double chord = 0.01;
+  static constexpr double chord = 0.02;
 
   Sections found(double depth, double error = 0.03) const {
     SectionsOptions options;
@@ -28,6 +28,20 @@ class SectionsOf : public testing::TestWithParam<std::size_t> {
   const Field field = Field::build(shape.mesh.view()).value();
 };
 INSTANTIATE_TEST_SUITE_P(Shapes, SectionsOf, testing::Range(std::size_t{0}, test::shapes(0.05).size()));
+
+/// The mesh's largest ball has the solid's radius but for the shape's error; its centre is in the solid
+/// almost as deep, and only there.
+void expect_ball(const test::Shape& shape, const InscribedBall& ball, const test::InscribedBall& truth) {
+  EXPECT_GE(ball.radius + ball.error, truth.radius - shape.error - rounding);
+  EXPECT_LE(ball.radius, truth.radius + shape.error + rounding);
+  EXPECT_GE(shape.depth(ball.centre), ball.radius - shape.error - rounding);
+  if (truth.only) {
+    const Vec3 &a = ball.centre, &b = truth.centre;
+    EXPECT_LE(std::hypot(a.x - b.x, a.y - b.y, a.z - b.z), 3 * (2 * shape.error + ball.error) + rounding);
+  }
+  EXPECT_FALSE(ball.touches.empty());
+  EXPECT_TRUE(std::ranges::is_sorted(ball.touches));
+}
 
 TEST_P(SectionsOf, AreAsManyAndAsLargeAsInTheSolid) {
   SCOPED_TRACE(shape.name);
@@ -45,33 +59,10 @@ TEST_P(SectionsOf, AreAsManyAndAsLargeAsInTheSolid) {
           << section.volume << " +- " << section.volume_error << " not in " << region.low << " to "
           << region.high;
       EXPECT_LE(section.volume_error, 2 * sections.error * section.area + sections.error);
-    }
-  }
-}
-
-// The mesh's largest ball has the solid's radius but for the shape's error; its centre is in the solid almost
-// as deep, and only there.
-TEST_P(SectionsOf, HaveTheSolidsBalls) {
-  SCOPED_TRACE(shape.name);
-  for (const test::DeepLevel& level : shape.levels) {
-    SCOPED_TRACE(level.depth);
-    const Sections sections = found(level.depth);
-    const std::size_t count = std::min(sections.sections.size(), shape.balls.size());
-    for (std::size_t i = 0; i < count; ++i) {
-      const InscribedBall& ball = sections.sections[i].ball;
-      const test::InscribedBall& truth = shape.balls[i];
-      EXPECT_LE(ball.error, sections.error + rounding);
-      EXPECT_GE(ball.radius + ball.error, truth.radius - shape.error - rounding);
-      EXPECT_LE(ball.radius, truth.radius + shape.error + rounding);
-      EXPECT_GE(shape.depth(ball.centre), ball.radius - shape.error - rounding);
-      EXPECT_NEAR(-field.distance(ball.centre), ball.radius, rounding);
-      if (truth.only) {
-        const Vec3 &a = ball.centre, &b = truth.centre;
-        EXPECT_LE(std::hypot(a.x - b.x, a.y - b.y, a.z - b.z), 3 * (2 * shape.error + ball.error) + rounding);
-      }
-      EXPECT_FALSE(ball.touches.empty());
-      EXPECT_TRUE(std::ranges::is_sorted(ball.touches));
-      EXPECT_GT(ball.radius, level.depth);
+      EXPECT_GT(section.ball.radius, level.depth);
+      EXPECT_LE(section.ball.error, sections.error + rounding);
+      EXPECT_NEAR(-field.distance(section.ball.centre), section.ball.radius, rounding);
+      expect_ball(shape, section.ball, shape.balls[i]);
     }
   }
 }

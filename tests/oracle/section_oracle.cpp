@@ -86,7 +86,7 @@ void SectionGrid::measure() {
     SectionPatch& patch = patches_[patch_of_[i]];
     const double d = depths_[i];
     patch.volume.high += cube;
-    if (d > depth_) patch.counted += cube;
+    patch.counted += cube * std::clamp(0.5 + (d - depth_) / spacing(), 0.0, 1.0);
     if (d > depth_ + reach()) patch.volume.low += cube;
     if (part_of_[i] != none) parts[patch_of_[i]].insert(part_of_[i]);
     if (d > depths_[deepest[patch_of_[i]]]) deepest[patch_of_[i]] = i, patch.deepest = p;
@@ -96,14 +96,16 @@ void SectionGrid::measure() {
     patch.box.hi = {std::max(patch.box.hi.x, p.x + half), std::max(patch.box.hi.y, p.y + half),
                     std::max(patch.box.hi.z, p.z + half)};
   }
-  for (std::size_t i = 0; i < patches_.size(); ++i) {
+  for (std::uint32_t i = 0; i < patches_.size(); ++i) {
     patches_[i].parts = parts[i].size();
-    ascend(patches_[i], deepest[i]);
+    ascend(i, deepest[i]);
   }
 }
 
-// Steps in 26 directions, halved when none goes up: a lower bound wherever it ends.
-void SectionGrid::ascend(SectionPatch& patch, std::size_t from) const {
+// Steps in 26 directions, halved when none goes up: a lower bound wherever it ends. It stays in the patch's
+// cubes.
+void SectionGrid::ascend(std::uint32_t number, std::size_t from) {
+  SectionPatch& patch = patches_[number];
   double best = depths_[from];
   patch.radius.high = best + reach();
   for (double step = spacing(); step > 1e-9 * spacing();) {
@@ -112,7 +114,7 @@ void SectionGrid::ascend(SectionPatch& patch, std::size_t from) const {
     for (int k = 0; k < 27; ++k) {
       const Vec3 next{p.x + step * (k % 3 - 1), p.y + step * (k / 3 % 3 - 1), p.z + step * (k / 9 - 1)};
       const double d = -field_.distance(next);
-      if (d > best) best = d, patch.deepest = next;
+      if (d > best && this->patch(next) == number) best = d, patch.deepest = next;
     }
     if (best == before) step /= 2;
   }

@@ -15,7 +15,7 @@ namespace cdfr::oracle {
 /// set of cubes that holds one or more components of {depth > T} whole.
 struct SectionPatch {
   Range volume;        ///< of what is deeper than T in it
-  double counted = 0;  ///< volume of the cubes whose sample is deeper: between the two, most likely close
+  double counted = 0;  ///< its cubes, those at the border by how deep their sample is: most likely close
   Range radius;        ///< of its largest ball, in parts of the grid and by ascent from the best samples
   Vec3 deepest;        ///< where the ascent ended
   Box box;             ///< of its cubes: holds all that is deeper
@@ -48,7 +48,7 @@ class SectionGrid {
   template <class Joins>
   std::vector<std::uint32_t> components(Joins joins) const;
   void measure();
-  void ascend(SectionPatch& patch, std::size_t from) const;
+  void ascend(std::uint32_t number, std::size_t from);
 
   const Field& field_;
   double depth_;
