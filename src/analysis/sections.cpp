@@ -207,8 +207,8 @@ class SectionSearch {
     return ball;
   }
 
-  /// Moves the centre to where it is deeper, along the axes by ever smaller steps: what is known of the largest ball
-  /// stays, so each step takes as much from the error.
+  /// Moves the centre to where it is deeper, along the axes by ever smaller steps: what is known of the
+  /// largest ball stays, so each step takes as much from the error.
   void climb(InscribedBall& ball) const {
     for (double step = threshold_.error / 2; step > threshold_.error * least_step; step /= 2) {
       for (bool moved = true; moved;) {
