@@ -65,7 +65,7 @@ void expect_bounds_hold(const Field& field, double depth, double error) {
     }
     deep += own > depth;
   }
-  EXPECT_GT(deep, 100U);
+  EXPECT_GT(deep, 20U);
 }
 
 TEST(HeavyDescent, BoundsHold) {
