@@ -18,6 +18,8 @@ namespace {
 constexpr std::size_t longest_list = 512;
 /// Of the triangles that are tried in pairs.
 constexpr std::size_t most_paired = 12;
+/// Nearer to the surface than so many half diagonals, only the slope of 1 counts.
+constexpr double near_surface = 1.125;
 /// Shares of a direction below which a component is left out (cut_cube.h).
 constexpr double least_share = 0x1p-20;
 
@@ -246,7 +248,7 @@ HeavyDescent::Outlook HeavyDescent::outlook(std::size_t point, double size,
   const std::size_t first = first_[point];
   const double d = eights_[first].distance[point];
   kept.clear();
-  if (!(d > 2 * h)) {
+  if (!(d > near_surface * h)) {
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       if (eights_[k].distance[point] <= d + 2 * h + slack) kept.push_back(numbers[k]);
     }

@@ -90,9 +90,9 @@ class SectionSearch {
   Result<Sections> run() {
     const std::vector<Doubt> doubts = joins_.doubts;
     const NeckFindings necks = look_at_necks(field_, threshold_, found_.cells, index_, joins_, progress_);
-    group(doubts);
-    measure(doubts);
-    find_balls();
+    if (!progress_.cancelled()) group(doubts);
+    if (!progress_.cancelled()) measure(doubts);
+    if (!progress_.cancelled()) find_balls();
     if (field_.failed()) return field_.status().error();
     if (progress_.cancelled()) return Progress::error();
     sections_.depth = threshold_.depth;
@@ -139,6 +139,7 @@ class SectionSearch {
 
   /// Cells without a core: a section if a point of them is deeper than T.
   void prove(std::span<const std::uint32_t> cells) {
+    if (!progress_.poll()) return;
     DeepestSearch search(
         field_, {threshold_.rounding, threshold_.depth + threshold_.rounding, true, most_halved}, progress_);
     std::vector<DeepestSearch::Looked> looked;
@@ -207,8 +208,8 @@ class SectionSearch {
     return ball;
   }
 
-  /// Moves the centre to where it is deeper, along the axes by ever smaller steps: what is known of the largest ball
-  /// stays, so each step takes as much from the error.
+  /// Moves the centre to where it is deeper, along the axes by ever smaller steps: what is known of the
+  /// largest ball stays, so each step takes as much from the error.
   void climb(InscribedBall& ball) const {
     for (double step = threshold_.error / 2; step > threshold_.error * least_step; step /= 2) {
       for (bool moved = true; moved;) {
