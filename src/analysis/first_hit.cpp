@@ -96,7 +96,7 @@ class Ray {
     const Vector3d way = to_eigen(shape.vertices[0]) - p_;
     const double rate = n.dot(d_), t = n.dot(way) / rate;
     // Both dot products and the normal round by less than 8u of the lengths in them.
-    const double rounding = rounding_ + 0x1p-49 * (way.norm() + std::fabs(t));
+    const double rounding = rounding_ + 0x1p-49 * (way.norm() + std::max(std::fabs(least), std::fabs(most)));
     const double error = rounding / std::fabs(rate);
     if (error <= most - least + 2 * rounding) return {std::clamp(t, least, most), error, slot};
     return {most < 0 ? most : std::max(least, 0.0), most - least + rounding_, slot};
