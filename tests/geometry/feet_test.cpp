@@ -19,12 +19,12 @@ constexpr double radius = 0.25;
 /// Triangles of every shape around a region somewhere, and points of it, some of them on or near features.
 struct Scene {
   explicit Scene(std::uint64_t seed) : random(seed), middle(random.in({{-1, -1, -1}, {1, 1, 1}})) {
-    for (const test::Shapes shapes : test::all_shapes) {
+    for (const test::Shapes kind : test::all_shapes) {
       const double size = std::ldexp(1.0, -static_cast<int>(random.below(8)));
       const Box box{{middle.x - size, middle.y - size, middle.z - size},
                     {middle.x + size, middle.y + size, middle.z + size}};
       for (int i = 0; i < 2; ++i) {
-        const std::array<Vec3, 3> c = test::corners_of(random, shapes, box);
+        const std::array<Vec3, 3> c = test::corners_of(random, kind, box);
         this->shapes.push_back({c, unit_normal(c[0], c[1], c[2])});
         frames.push_back(triangle_frame(this->shapes.back(), middle, radius));
       }
