@@ -100,24 +100,25 @@ class Ray {
     return hit;
   }
 
-  /// `across` lies in the triangle's plane, at right angles to the line. The first crossing of a side, or,
-  /// where rounding leaves none, the extent along the line.
+  /// `across` lies in the triangle's plane, at right angles to the line. Behind the point if the line passes
+  /// beside the triangle; else the first crossing of a side, or, where rounding leaves none, the extent along
+  /// the line.
   Hit on_border(const TriangleShape& shape, const Vector3d& across, const Vector3d& along,
                 double rounding) const noexcept {
     const double least = along.minCoeff(), most = along.maxCoeff();
+    Vector3d beside;
+    for (int k = 0; k < 3; ++k)
+      beside[k] = across.dot(to_eigen(shape.vertices[static_cast<std::size_t>(k)]) - p_);
+    if (most < 0 || beside.minCoeff() > rounding || beside.maxCoeff() < -rounding) return {-1, 0, no_index};
     Hit hit{std::numeric_limits<double>::infinity(), 0, no_index};
     for (int k = 0; k < 3; ++k) {
-      const int next = (k + 1) % 3;
-      const auto beside = [&](int i) {
-        return across.dot(to_eigen(shape.vertices[static_cast<std::size_t>(i)]) - p_);
-      };
-      const double a = beside(k), b = beside(next), length = along[next] - along[k];
+      const double a = beside[k], b = beside[(k + 1) % 3], length = along[(k + 1) % 3] - along[k];
       if (std::min(a, b) > rounding || std::max(a, b) < -rounding || std::fabs(a - b) <= rounding) continue;
       const double way = along[k] + length * std::clamp(a / (a - b), 0.0, 1.0);
       if (way < hit.way) hit = {way, rounding * (1 + std::fabs(length / (a - b))), no_index};
     }
     if (hit.error < most - least && hit.way >= 0 && std::isfinite(hit.way)) return hit;
-    return {most < 0 ? most : std::max(least, 0.0), most - least + rounding, no_index};
+    return {std::max(least, 0.0), most - least + rounding, no_index};
   }
 
   bool touches(const TriangleShape& shape) const noexcept {

@@ -90,6 +90,9 @@ TEST(FirstHit, InATrianglesPlaneIsItsBorder) {
   const MeasuredWall wall = shortest_ray(field.data(), {{0, 0, 0}, {1, 0, 0}, no_index}, {1, 0, 10, 1e-14});
   EXPECT_LE(wall.error, 1e-12);
   EXPECT_NEAR(wall.thickness, 4.0 / 3, wall.error);
+  const MeasuredWall beside =
+      shortest_ray(field.data(), {{0, 2.5, 0}, {1, 0, 0}, no_index}, {1, 0, 10, 1e-14});
+  EXPECT_TRUE(std::isnan(beside.thickness));
   const MeasuredWall behind = shortest_ray(field.data(), {{5, 0, 0}, {1, 0, 0}, no_index}, {1, 0, 10, 1e-14});
   EXPECT_TRUE(std::isnan(behind.thickness));
 }
