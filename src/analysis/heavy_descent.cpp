@@ -163,7 +163,7 @@ void HeavyDescent::descend(const Cell& cell, const Seen& seen) {
   for (int child = 0; child < 8; ++child) centres_.add(minus(cube.octant(child).centre(), middle_));
   measure(seen.numbers);
   compare(cube.size / 2, seen.numbers);
-  Octants& octants = levels_[static_cast<std::size_t>(cell.level + 1)];
+  Octants& octants = levels_[static_cast<std::size_t>(cell.level) + 1];
   for (std::size_t child = 0; child < 8; ++child)
     see(child, cube.size / 2, seen.numbers, seen.sided, octants[child]);
   for (int child = 0; child < 8; ++child) {

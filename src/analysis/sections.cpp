@@ -148,9 +148,13 @@ class SectionSearch {
     if (deepest.depth > threshold_.depth + threshold_.rounding) {
       for (const std::uint32_t i : cells) section_of_[i] = count_;
       ++count_;
-    } else if (search.is_open() && sections_.undecided.size() < most_places) {
-      sections_.undecided.push_back(cube_of(cells[0]).centre());
+    } else if (search.is_open()) {
+      tell_undecided(cube_of(cells[0]).centre());
     }
+  }
+
+  void tell_undecided(const Vec3& place) {
+    if (sections_.undecided.size() < most_places) sections_.undecided.push_back(place);
   }
 
   void measure(const std::vector<Doubt>& doubts) {
@@ -196,16 +200,34 @@ class SectionSearch {
     });
   }
 
+  /// Of radius 0 if no point deeper than T was found.
   InscribedBall ball_in(std::span<const std::uint32_t> cells) const {
-    DeepestSearch search(field_, {threshold_.error * ball_share, threshold_.depth}, progress_);
-    std::vector<DeepestSearch::Looked> looked;
-    for (const std::uint32_t i : cells) looked.push_back(search.look(cube_of(i)));
-    const Deepest deepest = search.run(looked);
+    Deepest deepest = deepest_of(cells, {threshold_.error * ball_share, threshold_.depth});
+    // A section may be less deep than what the search leaves open: then any point of it comes first.
+    if (!(deepest.depth > threshold_.depth)) {
+      const double bound = deepest.depth + deepest.error;
+      deepest = deepest_of(cells, {threshold_.rounding / 4, threshold_.depth, true, most_halved});
+      if (!(deepest.depth > threshold_.depth)) return {};
+      deepest.error = std::max(bound - deepest.depth, threshold_.rounding);
+    }
     InscribedBall ball{deepest.point, deepest.depth, 0, {}};
     climb(ball);
-    ball.error = deepest.depth + deepest.error - ball.radius;
+    ball.error = std::max(deepest.depth + deepest.error - ball.radius, threshold_.rounding / 16);
     ball.touches = triangles_within(field_, ball.centre, ball.radius + 2 * ball.error);
     return ball;
+  }
+
+  Deepest deepest_of(std::span<const std::uint32_t> cells, const DeepestSearch::Goal& goal) const {
+    DeepestSearch search(field_, goal, progress_);
+    std::vector<DeepestSearch::Looked> looked;
+    for (const std::uint32_t i : cells) looked.push_back(search.look(cube_of(i)));
+    return search.run(looked);
+  }
+
+  /// Is the way between two points of those depths all deeper than T?
+  bool stays_within(double from, double to, double apart) const noexcept {
+    const double edge = field_.tree.lattice.edge, own = threshold_.depth;
+    return rule_.joins((from - own) / edge, (to - own) / edge, (apart / edge) * (apart / edge));
   }
 
   /// Moves the centre to where it is deeper, along the axes by ever smaller steps: what is known of the
@@ -220,7 +242,7 @@ class SectionSearch {
           (way < 2 ? x.x : way < 4 ? x.y : x.z) += by;
           const double depth = -signed_distance(field_, x);
           // Of the steps that go on and on those by a hair are left out.
-          if (depth <= ball.radius + step * 0x1p-6) continue;
+          if (depth <= ball.radius + step * 0x1p-6 || !stays_within(ball.radius, depth, step)) continue;
           ball.centre = x;
           ball.radius = depth;
           moved = true;
@@ -239,6 +261,11 @@ class SectionSearch {
     std::vector<std::optional<std::size_t>> place(count_);
     std::vector<Section> ranked;
     for (const std::size_t s : order) {
+      if (all[s].ball.radius == 0) {
+        const Box& box = all[s].box;
+        tell_undecided({(box.lo.x + box.hi.x) / 2, (box.lo.y + box.hi.y) / 2, (box.lo.z + box.hi.z) / 2});
+        continue;
+      }
       if (all[s].volume < options_.min_volume || all[s].ball.radius < options_.min_depth) {
         ++sections_.left_out;
         continue;

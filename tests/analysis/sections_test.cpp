@@ -71,6 +71,14 @@ TEST(Sections, TheComparisonIsStrict) {
   EXPECT_TRUE(heavy_sections(field_of(test::sphere_mesh(4)), 1).value().sections.empty());
 }
 
+TEST(Sections, ASheetFarThinnerThanTheErrorMayBreakUpButIsTold) {
+  const Field field = field_of(test::box_mesh({{0, 0, 0.1}, {1, 1, 0.4}}));
+  const Sections found = heavy_sections(field, 0.15 - 1e-4, {0.02}).value();
+  ASSERT_FALSE(found.sections.empty());
+  EXPECT_NEAR(found.sections[0].ball.radius, 0.15, found.sections[0].ball.error + 1e-12);
+  EXPECT_GE(found.may_join.size() + 1, found.sections.size());
+}
+
 TEST(Sections, OfTwoBodiesAreTwo) {
   const Mesh mesh = test::joined(test::joined(test::sphere_mesh(3, 1), test::sphere_mesh(3, 1.5, {4, 0, 0})),
                                  test::box_mesh({{-6, -1, -1}, {-4, 1, -0.5}}));
