@@ -13,20 +13,19 @@ constexpr std::size_t leaves_a_task = 256;
 }  // namespace
 
 bool Conforming::run(Progress& progress) {
+  walk();
   for (;;) {
-    walk(0);
-    bool whole = true;
     while (!to_split_.empty()) {
-      const auto first_new = static_cast<std::uint32_t>(leaves_.leaves().size());
       if (!split_marked(progress)) return false;
-      walk(first_new);
-      whole = false;
+      walk();
     }
-    if (!whole) walk(0);
+    const std::vector<SurfaceLeaf>& leaves = leaves_.leaves();
+    std::erase_if(faces_, [&](const MinimalFace& face) {
+      return !leaves[face.below].live || !leaves[face.above].live;
+    });
     curves_.collect(faces_);
     if (!close_loops(progress)) return false;
     if (to_split_.empty()) return true;
-    if (!split_marked(progress)) return false;
   }
 }
 
@@ -43,21 +42,18 @@ bool Conforming::split_marked(Progress& progress) {
   return leaves_.split(split, progress);
 }
 
-void Conforming::walk(std::uint32_t first_new) {
+void Conforming::walk() {
   const std::vector<SurfaceCell>& cells = leaves_.octree().cells();
-  std::vector<SurfaceLeaf>& leaves = leaves_.leaves();
+  const std::vector<SurfaceLeaf>& leaves = leaves_.leaves();
   marked_.resize(leaves.size());
-  if (first_new == 0) {
-    for (SurfaceLeaf& leaf : leaves) leaf.sides.fill(no_index);
-    faces_.clear();
-  }
   seen_.resize(cells.size());
   ++walks_;
-  for (std::size_t i = first_new; i < leaves.size() && first_new > 0; ++i) {
-    for (std::uint32_t up = leaves[i].cell; up != no_index && seen_[up] != walks_; up = cells[up].parent)
+  for (; walked_ < leaves.size(); ++walked_) {
+    for (std::uint32_t up = leaves[walked_].cell; up != no_index && seen_[up] != walks_;
+         up = cells[up].parent)
       seen_[up] = walks_;
   }
-  const auto sought = [&](std::uint32_t cell) { return first_new == 0 || seen_[cell] == walks_; };
+  const auto sought = [&](std::uint32_t cell) { return seen_[cell] == walks_; };
   const auto on_edge = [this](unsigned axis, const std::array<std::uint32_t, 4>& around) {
     cross(axis, around);
   };
@@ -83,8 +79,14 @@ void Conforming::cross(unsigned axis, const std::array<std::uint32_t, 4>& around
   const SurfaceLeaf& leaf = leaves_.leaves()[cells[around[smallest]].leaf];
   const int low = side_corner(side_at(smallest)), high = low | 1 << axis;
   if ((leaf.held >> low & 1) == (leaf.held >> high & 1)) return;
-  const std::uint32_t crossing =
-      crossings_.number(static_cast<int>(axis), leaf.corners[low], leaf.corners[high]);
+  // Another leaf of that size may have been there before.
+  std::uint32_t crossing = no_index;
+  for (std::size_t i = 0; i < 4 && crossing == no_index; ++i) {
+    if (cells[around[i]].level == cells[around[smallest]].level)
+      crossing = leaves_.leaves()[cells[around[i]].leaf].sides[side_at(i)];
+  }
+  if (crossing == no_index)
+    crossing = crossings_.add(static_cast<int>(axis), leaf.corners[low], leaf.corners[high]);
   for (std::size_t i = 0; i < 4; ++i) {
     // A leaf that has the edge in the middle of its face comes twice.
     if (around[i] != around[i ^ 1] && around[i] != around[i ^ 2])

@@ -29,8 +29,8 @@ class Conforming {
   }
 
  private:
-  /// Over all faces and edges, or those of the new leaves, numbered from `first_new` on.
-  void walk(std::uint32_t first_new);
+  /// Over the faces and edges of leaves that no walk has met: what is between others stays as it is.
+  void walk();
   void cross(unsigned axis, const std::array<std::uint32_t, 4>& around);
   void set_side(std::uint32_t leaf, int side, std::uint32_t crossing);
   void check_face(const MinimalFace& face);
@@ -41,11 +41,12 @@ class Conforming {
   SurfaceLeaves& leaves_;
   Crossings& crossings_;
   CellCurves curves_;
-  std::vector<MinimalFace> faces_;
+  std::vector<MinimalFace> faces_;       ///< also of leaves that were split since they were met
   std::vector<unsigned char> marked_;    ///< by leaf
   std::vector<std::uint32_t> to_split_;  ///< those that are
   std::vector<std::uint32_t> seen_;      ///< by cell: the walk whose new leaves it is above
   std::uint32_t walks_ = 0;
+  std::size_t walked_ = 0;  ///< leaves that were met
   std::vector<std::uint32_t> first_start_, starts_;
 };
 

@@ -26,10 +26,9 @@ double on_line(double from, double to, double at_from, double at_to) noexcept {
 
 }  // namespace
 
-std::uint32_t Crossings::number(int axis, std::uint32_t low, std::uint32_t high) {
-  const auto [number, is_new] = numbering_.number(std::uint64_t{low} << 32 | high);
-  if (is_new) edges_.push_back({axis, low, high});
-  return number;
+std::uint32_t Crossings::add(int axis, std::uint32_t low, std::uint32_t high) {
+  edges_.push_back({axis, low, high});
+  return static_cast<std::uint32_t>(edges_.size() - 1);
 }
 
 bool Crossings::lies_in(std::uint32_t part, std::uint32_t whole) const noexcept {

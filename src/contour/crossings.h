@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "contour/corner_values.h"
-#include "contour/numbering.h"
 #include "contour/sought.h"
 #include "core/progress.h"
 
@@ -24,8 +23,9 @@ class Crossings {
  public:
   Crossings(const Sought& sought, const CornerValues& corners) : sought_(sought), corners_(corners) {}
 
-  /// Of the edge along `axis` between two corners, of which the set holds one. The number stays the edge's.
-  std::uint32_t number(int axis, std::uint32_t low, std::uint32_t high);
+  /// Of the edge along `axis` between two corners, of which the set holds one: a number that stays the
+  /// edge's.
+  std::uint32_t add(int axis, std::uint32_t low, std::uint32_t high);
   /// Is the edge of the first one a part of that of the second, on one line?
   bool lies_in(std::uint32_t part, std::uint32_t whole) const noexcept;
   /// Finds those that are new: by the line through the values at the ends, then by tangents and halving.
@@ -54,7 +54,6 @@ class Crossings {
 
   const Sought& sought_;
   const CornerValues& corners_;
-  Numbering numbering_;
   std::vector<Edge> edges_;
   std::vector<Crossing> crossings_;  ///< as many as are solved
   std::uint64_t evaluations_ = 0;

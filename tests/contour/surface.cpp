@@ -61,11 +61,15 @@ ContourMesh surface_of(const Field& field, double distance, double tolerance) {
   return contour;
 }
 
-double largest_excess(const Field& field, const Mesh& mesh, double distance, std::size_t count) {
+namespace {
+
+template <class SignedDistance>
+double largest_excess_of(SignedDistance signed_distance, const Mesh& mesh, double distance,
+                         std::size_t count) {
   Random random(71);
   double largest = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const Triangle& t = mesh.triangles[i % mesh.triangles.size()];
+    const Triangle& t = mesh.triangles[i * mesh.triangles.size() / count];
     double u = random.between(0, 1), w = random.between(0, 1);
     if (u + w > 1) {
       u = 1 - u;
@@ -74,19 +78,41 @@ double largest_excess(const Field& field, const Mesh& mesh, double distance, std
     const Vec3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
     const Vec3 x{a.x + u * (b.x - a.x) + w * (c.x - a.x), a.y + u * (b.y - a.y) + w * (c.y - a.y),
                  a.z + u * (b.z - a.z) + w * (c.z - a.z)};
-    largest = std::max(largest, std::fabs(field.distance(x) - distance));
+    largest = std::max(largest, std::fabs(signed_distance(x) - distance));
   }
   return largest;
 }
 
-double largest_gap(const Field& field, const Mesh& mesh, double distance, double spacing) {
+bool is_listed(const Vec3& x, std::span<const ContourPlace> places, double within) {
+  return std::ranges::any_of(places, [&](const ContourPlace& place) {
+    const Vec3& p = place.position;
+    return place.doubt == ContourDoubt::undecided &&
+           std::max({std::fabs(x.x - p.x), std::fabs(x.y - p.y), std::fabs(x.z - p.z)}) <=
+               place.size / 2 + within;
+  });
+}
+
+}  // namespace
+
+double largest_excess(const Field& field, const Mesh& mesh, double distance, std::size_t count) {
+  return largest_excess_of([&](const Vec3& x) { return field.distance(x); }, mesh, distance, count);
+}
+
+double largest_excess(const BruteForce& brute, const Mesh& mesh, double distance, std::size_t count) {
+  return largest_excess_of([&](const Vec3& x) { return brute.closest(x).distance; }, mesh, distance, count);
+}
+
+double largest_gap(const Field& field, const Mesh& mesh, double distance, double spacing,
+                   std::span<const ContourPlace> places) {
   BuildOptions options;
   options.sign = Sign::none;
   const Field of_mesh = Field::build(mesh.view(), options).value();
   double largest = 0;
   const std::vector<ContourPoint> points = contour_points(field, distance, {spacing}).value();
   for (const ContourPoint& point : points) {
-    if (std::isfinite(point.error)) largest = std::max(largest, of_mesh.distance(point.position));
+    if (!std::isfinite(point.error)) continue;
+    const double gap = of_mesh.distance(point.position);
+    if (gap > largest && !is_listed(point.position, places, spacing)) largest = gap;
   }
   return largest;
 }

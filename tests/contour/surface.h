@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "cdfr/contour/mesh.h"
 #include "cdfr/field/field.h"
@@ -21,9 +22,12 @@ ContourMesh surface_of(const Field& field, double distance, double tolerance);
 
 /// Largest |signed distance - distance| over `count` random points of the mesh.
 double largest_excess(const Field& field, const Mesh& mesh, double distance, std::size_t count);
+double largest_excess(const BruteForce& brute, const Mesh& mesh, double distance, std::size_t count);
 
-/// Largest distance from points that cover the contour, as contour_points has them, to the mesh.
-double largest_gap(const Field& field, const Mesh& mesh, double distance, double spacing);
+/// Largest distance from points that cover the contour, as contour_points has them, to the mesh. Points
+/// within the spacing of a place that the report lists as undecided do not count.
+double largest_gap(const Field& field, const Mesh& mesh, double distance, double spacing,
+                   std::span<const ContourPlace> places = {});
 
 double volume_of(const Mesh& mesh);
 
