@@ -25,7 +25,7 @@ namespace cdfr {
 namespace {
 
 /// Shares of e: to which a cube may count as flat, and the ball's.
-constexpr double flat_share = 0.5, ball_share = 0.125;
+constexpr double flat_share = 0.5, ball_share = 1.0 / 32;
 /// Of the last steps of a ball's centre, in e.
 constexpr double least_step = 0x1p-10;
 /// Least e, as a share of the longest side: cells then leave some levels of the lattice to necks.
