@@ -18,6 +18,8 @@ namespace {
 constexpr std::size_t longest_list = 512;
 /// Of the triangles that are tried in pairs.
 constexpr std::size_t most_paired = 12;
+/// Nearer to the surface than so many half diagonals, only the slope of 1 counts.
+constexpr double near_surface = 1.125;
 /// Shares of a direction below which a component is left out (cut_cube.h).
 constexpr double least_share = 0x1p-20;
 
@@ -161,7 +163,7 @@ void HeavyDescent::descend(const Cell& cell, const Seen& seen) {
   for (int child = 0; child < 8; ++child) centres_.add(minus(cube.octant(child).centre(), middle_));
   measure(seen.numbers);
   compare(cube.size / 2, seen.numbers);
-  Octants& octants = levels_[static_cast<std::size_t>(cell.level + 1)];
+  Octants& octants = levels_[static_cast<std::size_t>(cell.level) + 1];
   for (std::size_t child = 0; child < 8; ++child)
     see(child, cube.size / 2, seen.numbers, seen.sided, octants[child]);
   for (int child = 0; child < 8; ++child) {
@@ -246,7 +248,7 @@ HeavyDescent::Outlook HeavyDescent::outlook(std::size_t point, double size,
   const std::size_t first = first_[point];
   const double d = eights_[first].distance[point];
   kept.clear();
-  if (!(d > 2 * h)) {
+  if (!(d > near_surface * h)) {
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       if (eights_[k].distance[point] <= d + 2 * h + slack) kept.push_back(numbers[k]);
     }

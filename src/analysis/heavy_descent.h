@@ -12,14 +12,14 @@
 /// so
 ///     d(x) <= sqrt(l_0^2 + o^2) <= l_0(x) + o^2 / (2 (d_0 - h)) =: l_0(x) + above.
 /// At the border the foot takes the place of the triangle, with i = 0. Between walls the mean of two such
-/// bounds is sharper than each (field/distance_above.h). Nearer to the surface than 2 h the slope of 1 has to
-/// do: the depth is within h of the centre's.
+/// bounds is sharper than each (field/distance_above.h). Near the surface, at less than 9/8 h, the slope of 1
+/// has to do: the depth is within h of the centre's.
 ///
 /// A cube is dropped if it is nowhere deeper than T; it becomes a cell if all of it is, if above + below is
 /// within Threshold::flat, or if h <= e; else it is halved. Any point deeper than T + rounding is in the
 /// possible part of some cell, and each cell's possible part is deeper than T - 2 e.
 ///
-/// Rounding: feet are off by TriangleFrame::error (geometry/feet.h), directions by that over d_0 > 2 h, so
+/// Rounding: feet are off by TriangleFrame::error (geometry/feet.h), directions by that over d_0 > 9/8 h, so
 /// bounds by less than 2 errors; these are added on both sides.
 #pragma once
 

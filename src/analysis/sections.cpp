@@ -25,7 +25,9 @@ namespace cdfr {
 namespace {
 
 /// Shares of e: to which a cube may count as flat, and the ball's.
-constexpr double flat_share = 0.5, ball_share = 1.0 / 64;
+constexpr double flat_share = 0.5, ball_share = 0.125;
+/// Of the last steps of a ball's centre, in e.
+constexpr double least_step = 0x1p-10;
 /// Least e, as a share of the longest side: cells then leave some levels of the lattice to necks.
 constexpr double least_error = 0x1p-14;
 /// Cubes that may be halved to prove that a cluster of cells holds nothing deeper than T, and places listed
@@ -33,35 +35,41 @@ constexpr double least_error = 0x1p-14;
 constexpr std::uint64_t most_halved = 4096;
 constexpr std::size_t most_places = 1000;
 
+/// Blocks that are descended into at once: what they find lies ready twice for a while.
+constexpr std::size_t blocks_a_wave = 16;
+
+void append(HeavyCells& all, const HeavyCells& own) {
+  const auto before = static_cast<std::uint32_t>(all.cells.size());
+  all.cells.insert(all.cells.end(), own.cells.begin(), own.cells.end());
+  for (const CellTriangle& pair : own.triangles) all.triangles.push_back({pair.cell + before, pair.slot});
+  all.looks += own.looks;
+}
+
+HeavyCells cells_in_block(const FieldData& field, const Threshold& threshold, std::size_t number,
+                          Progress& progress) {
+  HeavyCells found;
+  const Block block = field.tree.block(number);
+  HeavyDescent descent(field, threshold, found);
+  for_each_leaf(block, [&](const Cell& cell, std::uint32_t leaf_number) {
+    if (!progress.poll()) return;
+    const LeafRecord& leaf = block.leaves[leaf_number];
+    descent.run(cell, {block.entries.data() + leaf.first, leaf.count()}, leaf.side());
+  });
+  progress.step();
+  return found;
+}
+
 HeavyCells all_cells(const FieldData& field, const Threshold& threshold, Progress& progress) {
   const std::size_t blocks = field.tree.block_count();
-  std::vector<HeavyCells> found(blocks);
   progress.phase(0, 0.7, static_cast<double>(blocks));
-  for_chunks(blocks, 1, [&](std::size_t i, std::size_t) {
-    const Block block = field.tree.block(i);
-    HeavyDescent descent(field, threshold, found[i]);
-    for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
-      if (!progress.poll()) return;
-      const LeafRecord& leaf = block.leaves[number];
-      descent.run(cell, {block.entries.data() + leaf.first, leaf.count()}, leaf.side());
-    });
-    progress.step();
-  });
   HeavyCells all;
-  std::size_t cells = 0, triangles = 0;
-  for (const HeavyCells& own : found) {
-    cells += own.cells.size();
-    triangles += own.triangles.size();
-  }
-  all.cells.reserve(cells);
-  all.triangles.reserve(triangles);
-  for (HeavyCells& own : found) {
-    const auto before = static_cast<std::uint32_t>(all.cells.size());
-    for (CellTriangle& pair : own.triangles) pair.cell += before;
-    all.cells.insert(all.cells.end(), own.cells.begin(), own.cells.end());
-    all.triangles.insert(all.triangles.end(), own.triangles.begin(), own.triangles.end());
-    all.looks += own.looks;
-    own = {};
+  std::vector<HeavyCells> wave(blocks_a_wave);
+  for (std::size_t first = 0; first < blocks && !progress.cancelled(); first += blocks_a_wave) {
+    const std::size_t count = std::min(blocks_a_wave, blocks - first);
+    for_chunks(count, 1, [&](std::size_t i, std::size_t) {
+      wave[i] = cells_in_block(field, threshold, first + i, progress);
+    });
+    for (std::size_t i = 0; i < count; ++i) append(all, std::exchange(wave[i], {}));
   }
   return all;
 }
@@ -82,9 +90,9 @@ class SectionSearch {
   Result<Sections> run() {
     const std::vector<Doubt> doubts = joins_.doubts;
     const NeckFindings necks = look_at_necks(field_, threshold_, found_.cells, index_, joins_, progress_);
-    group(doubts);
-    measure(doubts);
-    find_balls();
+    if (!progress_.cancelled()) group(doubts);
+    if (!progress_.cancelled()) measure(doubts);
+    if (!progress_.cancelled()) find_balls();
     if (field_.failed()) return field_.status().error();
     if (progress_.cancelled()) return Progress::error();
     sections_.depth = threshold_.depth;
@@ -131,6 +139,7 @@ class SectionSearch {
 
   /// Cells without a core: a section if a point of them is deeper than T.
   void prove(std::span<const std::uint32_t> cells) {
+    if (!progress_.poll()) return;
     DeepestSearch search(
         field_, {threshold_.rounding, threshold_.depth + threshold_.rounding, true, most_halved}, progress_);
     std::vector<DeepestSearch::Looked> looked;
@@ -139,9 +148,13 @@ class SectionSearch {
     if (deepest.depth > threshold_.depth + threshold_.rounding) {
       for (const std::uint32_t i : cells) section_of_[i] = count_;
       ++count_;
-    } else if (search.is_open() && sections_.undecided.size() < most_places) {
-      sections_.undecided.push_back(cube_of(cells[0]).centre());
+    } else if (search.is_open()) {
+      tell_undecided(cube_of(cells[0]).centre());
     }
+  }
+
+  void tell_undecided(const Vec3& place) {
+    if (sections_.undecided.size() < most_places) sections_.undecided.push_back(place);
   }
 
   void measure(const std::vector<Doubt>& doubts) {
@@ -187,14 +200,55 @@ class SectionSearch {
     });
   }
 
+  /// Of radius 0 if no point deeper than T was found.
   InscribedBall ball_in(std::span<const std::uint32_t> cells) const {
-    DeepestSearch search(field_, {threshold_.error * ball_share, threshold_.depth}, progress_);
-    std::vector<DeepestSearch::Looked> looked;
-    for (const std::uint32_t i : cells) looked.push_back(search.look(cube_of(i)));
-    const Deepest deepest = search.run(looked);
-    InscribedBall ball{deepest.point, deepest.depth, deepest.error, {}};
+    Deepest deepest = deepest_of(cells, {threshold_.error * ball_share, threshold_.depth});
+    // A section may be less deep than what the search leaves open: then any point of it comes first.
+    if (!(deepest.depth > threshold_.depth)) {
+      const double bound = deepest.depth + deepest.error;
+      deepest = deepest_of(cells, {threshold_.rounding / 4, threshold_.depth, true, most_halved});
+      if (!(deepest.depth > threshold_.depth)) return {};
+      deepest.error = std::max(bound - deepest.depth, threshold_.rounding);
+    }
+    InscribedBall ball{deepest.point, deepest.depth, 0, {}};
+    climb(ball);
+    ball.error = std::max(deepest.depth + deepest.error - ball.radius, threshold_.rounding / 16);
     ball.touches = triangles_within(field_, ball.centre, ball.radius + 2 * ball.error);
     return ball;
+  }
+
+  Deepest deepest_of(std::span<const std::uint32_t> cells, const DeepestSearch::Goal& goal) const {
+    DeepestSearch search(field_, goal, progress_);
+    std::vector<DeepestSearch::Looked> looked;
+    for (const std::uint32_t i : cells) looked.push_back(search.look(cube_of(i)));
+    return search.run(looked);
+  }
+
+  /// Is the way between two points of those depths all deeper than T?
+  bool stays_within(double from, double to, double apart) const noexcept {
+    const double edge = field_.tree.lattice.edge, own = threshold_.depth;
+    return rule_.joins((from - own) / edge, (to - own) / edge, (apart / edge) * (apart / edge));
+  }
+
+  /// Moves the centre to where it is deeper, along the axes by ever smaller steps: what is known of the
+  /// largest ball stays, so each step takes as much from the error.
+  void climb(InscribedBall& ball) const {
+    for (double step = threshold_.error / 2; step > threshold_.error * least_step; step /= 2) {
+      for (bool moved = true; moved;) {
+        moved = false;
+        for (int way = 0; way < 6; ++way) {
+          const double by = way % 2 == 0 ? step : -step;
+          Vec3 x = ball.centre;
+          (way < 2 ? x.x : way < 4 ? x.y : x.z) += by;
+          const double depth = -signed_distance(field_, x);
+          // Of the steps that go on and on those by a hair are left out.
+          if (depth <= ball.radius + step * 0x1p-6 || !stays_within(ball.radius, depth, step)) continue;
+          ball.centre = x;
+          ball.radius = depth;
+          moved = true;
+        }
+      }
+    }
   }
 
   /// Largest first; of equal balls the first in space.
@@ -207,6 +261,11 @@ class SectionSearch {
     std::vector<std::optional<std::size_t>> place(count_);
     std::vector<Section> ranked;
     for (const std::size_t s : order) {
+      if (all[s].ball.radius == 0) {
+        const Box& box = all[s].box;
+        tell_undecided({(box.lo.x + box.hi.x) / 2, (box.lo.y + box.hi.y) / 2, (box.lo.z + box.hi.z) / 2});
+        continue;
+      }
       if (all[s].volume < options_.min_volume || all[s].ball.radius < options_.min_depth) {
         ++sections_.left_out;
         continue;

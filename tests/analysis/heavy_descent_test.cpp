@@ -60,10 +60,12 @@ void expect_bounds_hold(const Field& field, double depth, double error) {
                  (x.z - lattice.origin.z) / lattice.edge - c.z};
     const double over = (own - depth) / lattice.edge, slack = 1e-12;
     ASSERT_LE(over, cell.at(y) + double{cell.above} + slack);
-    if (!threshold.jumps) ASSERT_GE(over, cell.at(y) - double{cell.below} - slack);
+    if (!threshold.jumps) {
+      ASSERT_GE(over, cell.at(y) - double{cell.below} - slack);
+    }
     deep += own > depth;
   }
-  EXPECT_GT(deep, 100U);
+  EXPECT_GT(deep, 20U);
 }
 
 TEST(HeavyDescent, BoundsHold) {

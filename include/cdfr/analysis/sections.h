@@ -29,7 +29,7 @@ struct Section {
   double volume_error = 0;  ///< the true volume is within this of `volume`
   double area = 0;          ///< of the section's own surface {depth = T}
   double area_error = 0;    ///< an estimate: the sum over cells of what their tilt and roughness may change
-  Box box;                  ///< holds the section; each side is within 2 e of it
+  Box box;                  ///< holds the section; the depth where it sticks out is above T - 2 e
   std::uint64_t cells = 0;  ///< cubes that it is made of
   /// The part's triangles around it, numbers in the input, ascending. All that are closest to a point of the
   /// section's surface are among them, and each is within 4 e of being closest to one.
@@ -56,11 +56,12 @@ struct Sections {
 };
 
 /// The connected components of {x : depth of x > depth}, by a descent over the field's leaves: cubes are
-/// halved until they are certainly inside, certainly outside, cut by what is flat to e / 4, or have a half
+/// halved until they are certainly inside, certainly outside, cut by what is flat to e / 2, or have a half
 /// diagonal of at most e. The comparison is strict; a section deeper than `depth` by no more than 512
 /// ulp of the largest coordinate is none. A component of cubes without a point deeper than `depth` is
 /// dropped, by proof. Where two sections only meet in cubes in doubt, these are halved further; what then
-/// remains open is told in may_join.
+/// remains open is told in may_join. What is deeper than T by less than 2 e and only linked to a section by
+/// cubes in doubt counts as part of that section.
 ///
 /// On an open mesh sections end where the sign changes off the surface. Time and memory go with the sections'
 /// surface over e^2, not with the field. Same bits for any number of threads. Errors: bad_option (depth not
