@@ -83,23 +83,42 @@ class Ray {
     return !(left && right);
   }
 
-  /// Where the line meets the triangle's plane. Of a triangle that it grazes the way is known only as well as
-  /// the extent along the line tells.
+  /// Where the line meets the triangle's plane, or, if it runs in that plane but for rounding, its border.
   Hit crossing(std::uint32_t slot, const TriangleShape& shape) const noexcept {
     const Vector3d n = to_eigen(rounded(shape.normal));
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const Vec3& v : shape.vertices) {
-      const double along = d_.dot(to_eigen(v) - p_);
-      least = std::min(least, along);
-      most = std::max(most, along);
-    }
+    Vector3d along;
+    for (int k = 0; k < 3; ++k) along[k] = d_.dot(to_eigen(shape.vertices[static_cast<std::size_t>(k)]) - p_);
+    const double least = along.minCoeff(), most = along.maxCoeff();
     const Vector3d way = to_eigen(shape.vertices[0]) - p_;
     const double rate = n.dot(d_), t = n.dot(way) / rate;
     // Both dot products and the normal round by less than 8u of the lengths in them.
-    const double rounding = rounding_ + 0x1p-49 * (way.norm() + std::fabs(t));
+    const double rounding = rounding_ + 0x1p-49 * (way.norm() + along.lpNorm<Eigen::Infinity>());
     const double error = rounding / std::fabs(rate);
     if (error <= most - least + 2 * rounding) return {std::clamp(t, least, most), error, slot};
-    return {most < 0 ? most : std::max(least, 0.0), most - least + rounding_, slot};
+    Hit hit = on_border(shape, n.cross(d_), along, rounding);
+    hit.slot = slot;
+    return hit;
+  }
+
+  /// `across` lies in the triangle's plane, at right angles to the line. Behind the point if the line passes
+  /// beside the triangle; else the first crossing of a side, or, where rounding leaves none, the extent along
+  /// the line.
+  Hit on_border(const TriangleShape& shape, const Vector3d& across, const Vector3d& along,
+                double rounding) const noexcept {
+    const double least = along.minCoeff(), most = along.maxCoeff();
+    Vector3d beside;
+    for (int k = 0; k < 3; ++k)
+      beside[k] = across.dot(to_eigen(shape.vertices[static_cast<std::size_t>(k)]) - p_);
+    if (most < 0 || beside.minCoeff() > rounding || beside.maxCoeff() < -rounding) return {-1, 0, no_index};
+    Hit hit{std::numeric_limits<double>::infinity(), 0, no_index};
+    for (int k = 0; k < 3; ++k) {
+      const double a = beside[k], b = beside[(k + 1) % 3], length = along[(k + 1) % 3] - along[k];
+      if (std::min(a, b) > rounding || std::max(a, b) < -rounding || std::fabs(a - b) <= rounding) continue;
+      const double way = along[k] + length * std::clamp(a / (a - b), 0.0, 1.0);
+      if (way < hit.way) hit = {way, rounding * (1 + std::fabs(length / (a - b))), no_index};
+    }
+    if (hit.error < most - least && hit.way >= 0 && std::isfinite(hit.way)) return hit;
+    return {std::max(least, 0.0), most - least + rounding, no_index};
   }
 
   bool touches(const TriangleShape& shape) const noexcept {

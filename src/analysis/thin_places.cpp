@@ -30,11 +30,11 @@ ThinPlace place_of(std::span<const ThicknessSample> samples, std::span<const std
 
 bool is_wall(const ThicknessSample& sample) noexcept { return sample.opposed && !sample.at_edge; }
 
-/// The thickest of the thinnest twentieth of the walls, and what the engine's error cannot tell from that.
-double default_limit(std::span<const ThicknessSample> samples, double error) {
+/// The thickest of the thinnest twentieth of the walls.
+double default_limit(std::span<const ThicknessSample> samples) {
   std::vector<WeightedValue> walls = weighted_thickness(samples, is_wall);
   if (walls.empty()) walls = weighted_thickness(samples, [](const ThicknessSample&) { return true; });
-  return quantile(walls, 0.05) + error;
+  return quantile(walls, 0.05);
 }
 
 }  // namespace
@@ -42,10 +42,10 @@ double default_limit(std::span<const ThicknessSample> samples, double error) {
 void find_thin_places(std::span<const ThicknessSample> samples, const SampleNeighbours& neighbours,
                       const ThicknessOptions& options, ThicknessReport& report) {
   const bool given = options.thinner_than > 0;
-  report.thin_limit = given ? options.thinner_than : default_limit(samples, report.error);
+  report.thin_limit = given ? options.thinner_than : default_limit(samples);
   const auto is_thin = [&](const ThicknessSample& sample) {
     return given ? sample.thickness < report.thin_limit
-                 : sample.thickness - sample.facet <= report.thin_limit;
+                 : sample.thickness - sample.facet - sample.error <= report.thin_limit;
   };
   for (const bool wall : {true, false}) {
     std::vector<std::uint32_t> thin;

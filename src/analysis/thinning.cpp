@@ -60,6 +60,7 @@ class Comparison {
     const auto& samples = now_.samples;
     progress_.phase(0, 0.3, std::ceil(static_cast<double>(samples.size()) / chunk));
     std::vector<Vec3> positions;
+    positions.reserve(samples.size());
     for (const ThicknessSample& sample : samples) positions.push_back(sample.position);
     std::vector<Closest> closest(samples.size());
     for_chunks(samples.size(), chunk, [&](std::size_t first, std::size_t end) {

@@ -82,6 +82,21 @@ TEST(FirstHit, MeetsEdgesAndVertices) {
   EXPECT_TRUE(std::isnan(along.thickness));
 }
 
+TEST(FirstHit, InATrianglesPlaneIsItsBorder) {
+  Mesh mesh;
+  mesh.vertices = {{1, -1, 0}, {3, -1, 0}, {2, 2, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  const Field field = Field::build(mesh.view()).value();
+  const MeasuredWall wall = shortest_ray(field.data(), {{0, 0, 0}, {1, 0, 0}, no_index}, {1, 0, 10, 1e-14});
+  EXPECT_LE(wall.error, 1e-12);
+  EXPECT_NEAR(wall.thickness, 4.0 / 3, wall.error);
+  const MeasuredWall beside =
+      shortest_ray(field.data(), {{0, 2.5, 0}, {1, 0, 0}, no_index}, {1, 0, 10, 1e-14});
+  EXPECT_TRUE(std::isnan(beside.thickness));
+  const MeasuredWall behind = shortest_ray(field.data(), {{5, 0, 0}, {1, 0, 0}, no_index}, {1, 0, 10, 1e-14});
+  EXPECT_TRUE(std::isnan(behind.thickness));
+}
+
 TEST(FirstHit, OfAConeIsTheShortest) {
   const Field field = Field::build(test::box_mesh({{0, 0, 0}, {4, 4, 1}}).view()).value();
   ThicknessOptions options;
