@@ -108,7 +108,8 @@ void SectionGrid::ascend(std::uint32_t number, std::size_t from) {
   SectionPatch& patch = patches_[number];
   double best = depths_[from];
   patch.radius.high = best + reach();
-  for (double step = spacing(); step > 1e-9 * spacing();) {
+  double step = spacing();
+  for (int i = 0; i < 1000 && step > 1e-9 * spacing(); ++i) {
     const Vec3 p = patch.deepest;
     const double before = best;
     for (int k = 0; k < 27; ++k) {
@@ -116,7 +117,7 @@ void SectionGrid::ascend(std::uint32_t number, std::size_t from) {
       const double d = -field_.distance(next);
       if (d > best && this->patch(next) == number) best = d, patch.deepest = next;
     }
-    if (best == before) step /= 2;
+    step = best == before ? step / 2 : std::min(2 * step, spacing());
   }
   patch.radius.low = best > depth_ ? best : 0;
 }

@@ -47,10 +47,12 @@ TEST_P(RealWalls, BallsFitAndNoLargerOnesDo) {
     ThicknessOptions options;
     options.facet = facet < 0 ? facet : facet * length(minus(field.bounds().hi, field.bounds().lo));
     const Thickness walls = thickness(field, options).value();
-    ASSERT_EQ(walls.samples.size(), mesh.triangles.size());
-    const double d = walls.report.facet, doubt = 32 * ulp();
+    ASSERT_LE(walls.samples.size(), mesh.triangles.size());  // those without area have no sample
+    ASSERT_GE(walls.samples.size(), mesh.triangles.size() * 9 / 10);
+    const double doubt = 32 * ulp();
     for (const std::size_t i : some(walls)) {
       const ThicknessSample& s = walls.samples[i];
+      const double d = s.facet;
       SCOPED_TRACE(testing::Message()
                    << "sample " << i << " D " << d << " thickness " << s.thickness << " + " << s.error);
       const auto excess = [&](double r) {
@@ -72,7 +74,7 @@ TEST_P(RealWalls, BallsAgreeWithBisection) {
   for (const std::size_t i : some(walls)) {
     const ThicknessSample& s = walls.samples[i];
     const Range truth = ball_diameter([&](const Vec3& p) { return -field.distance(p); },
-                                      {s.position, s.normal, walls.report.facet, largest, 32 * ulp()});
+                                      {s.position, s.normal, s.facet, largest, 32 * ulp()});
     EXPECT_TRUE(truth.meets(s.thickness, s.thickness + s.error))
         << "sample " << i << ": " << s.thickness << " + " << s.error << " not in " << truth.low << " to "
         << truth.high;
