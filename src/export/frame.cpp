@@ -19,7 +19,7 @@ void grow(Box& box, Vec3 p, double radius) noexcept {
 Box box_of(const PaintedMesh& painted) noexcept {
   Box box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
   for (std::size_t i = 0; i < painted.mesh.vertices.size(); ++i) grow(box, painted.mesh.vertices[i], 0);
-  for (const PaintedBall& ball : painted.balls) grow(box, ball.center, ball.radius);
+  for (const PaintedBall& ball : painted.balls) grow(box, ball.centre, ball.radius);
   for (const PaintedLabel& label : painted.labels) grow(box, label.place, 0);
   return box;
 }
@@ -29,7 +29,7 @@ Box box_of(const PaintedMesh& painted) noexcept {
 Frame::Frame(const PaintedMesh& painted) noexcept : box_(box_of(painted)) {
   if (empty()) return;
   // Halves first: neither the sum nor the difference of two finite numbers need be finite.
-  center_ = {box_.lo.x / 2 + box_.hi.x / 2, box_.lo.y / 2 + box_.hi.y / 2, box_.lo.z / 2 + box_.hi.z / 2};
+  centre_ = {box_.lo.x / 2 + box_.hi.x / 2, box_.lo.y / 2 + box_.hi.y / 2, box_.lo.z / 2 + box_.hi.z / 2};
   const double reach =
       std::max({box_.hi.x / 2 - box_.lo.x / 2, box_.hi.y / 2 - box_.lo.y / 2, box_.hi.z / 2 - box_.lo.z / 2});
   if (reach > 0) size_ = std::ldexp(1.0, std::ilogb(reach));

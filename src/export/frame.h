@@ -14,10 +14,10 @@ class Frame {
   explicit Frame(const PaintedMesh& painted) noexcept;
 
   bool empty() const noexcept { return !(box_.lo.x <= box_.hi.x); }
-  const Vec3& center() const noexcept { return center_; }
+  const Vec3& centre() const noexcept { return centre_; }
   double size() const noexcept { return size_; }  ///< a power of two, in the mesh's unit
   Vec3 inside(Vec3 p) const noexcept {
-    return {(p.x - center_.x) / size_, (p.y - center_.y) / size_, (p.z - center_.z) / size_};
+    return {(p.x - centre_.x) / size_, (p.y - centre_.y) / size_, (p.z - centre_.z) / size_};
   }
   glb::Float3 rounded(Vec3 p) const noexcept {
     const Vec3 q = inside(p);
@@ -29,7 +29,7 @@ class Frame {
 
  private:
   Box box_;
-  Vec3 center_;
+  Vec3 centre_;
   double size_ = 1;
 };
 

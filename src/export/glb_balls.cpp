@@ -23,14 +23,14 @@ void add_balls(const PaintedMesh& painted, const Frame& frame, GlbScene& scene) 
                                    {"material", material},
                                    {"mode", triangles_mode}}}));
   for (std::size_t i = 0; i < painted.balls.size(); ++i) {
-    const auto& [center, radius] = painted.balls[i];
-    const Vec3 place = frame.inside(center);
+    const auto& [centre, radius] = painted.balls[i];
+    const Vec3 place = frame.inside(centre);
     const double size = radius / frame.size();
     scene.add_node({{"name", "ball " + std::to_string(i + 1)},
                     {"mesh", mesh},
                     {"translation", {place.x, place.y, place.z}},
                     {"scale", {size, size, size}},
-                    {"extras", {{"center", {center.x, center.y, center.z}}, {"radius", radius}}}});
+                    {"extras", {{"center", {centre.x, centre.y, centre.z}}, {"radius", radius}}}});
   }
 }
 

@@ -61,9 +61,9 @@ Result<void> check_painted(const PaintedMesh& painted) {
     return Error{Code::bad_option, 0, "the painted range must be finite, its ends in order"};
   }
   for (std::size_t i = 0; i < painted.balls.size(); ++i) {
-    const auto& [center, radius] = painted.balls[i];
-    const double reach = std::max({std::abs(center.x), std::abs(center.y), std::abs(center.z)}) + radius;
-    if (finite(center) && std::isfinite(reach) && radius > 0) continue;
+    const auto& [centre, radius] = painted.balls[i];
+    const double reach = std::max({std::abs(centre.x), std::abs(centre.y), std::abs(centre.z)}) + radius;
+    if (finite(centre) && std::isfinite(reach) && radius > 0) continue;
     return Error{Code::bad_option, i, "ball " + std::to_string(i) + " is not finite, or has no radius"};
   }
   for (std::size_t i = 0; i < painted.labels.size(); ++i) {

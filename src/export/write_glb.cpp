@@ -45,9 +45,9 @@ Result<void> check_glb_size(const PaintedMesh& painted) {
 
 Result<void> write_glb(const PaintedMesh& painted, double metres_per_unit, WholeFile& file) {
   const Frame frame(painted);
-  const Vec3 center = frame.center();
+  const Vec3 centre = frame.centre();
   const double scale = frame.size() * metres_per_unit;
-  const double x = center.x * metres_per_unit, y = center.y * metres_per_unit, z = center.z * metres_per_unit;
+  const double x = centre.x * metres_per_unit, y = centre.y * metres_per_unit, z = centre.z * metres_per_unit;
   if (!std::isfinite(scale) || !std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || scale == 0) {
     return Error{Code::out_of_range, 0, "in metres the mesh is too large, too small or too far away"};
   }

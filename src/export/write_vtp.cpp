@@ -136,7 +136,7 @@ std::string VtpFile::points() {
   return arrays_.add<24>("Float64", "points", 3, vertices_ + marks_, [this](std::uint64_t i, auto& record) {
     const std::uint64_t balls = painted_.balls.size();
     const Vec3 p = i < vertices_           ? painted_.mesh.vertices[i]
-                   : i - vertices_ < balls ? painted_.balls[i - vertices_].center
+                   : i - vertices_ < balls ? painted_.balls[i - vertices_].centre
                                            : painted_.labels[i - vertices_ - balls].place;
     for (const double coordinate : {p.x, p.y, p.z}) record.append(coordinate);
   });

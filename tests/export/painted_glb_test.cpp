@@ -150,12 +150,12 @@ TEST_F(PaintedGlbTest, BallsAreHalfTransparentAndInPlace) {
   for (std::size_t i = 0; i < painted.balls.size(); ++i) {
     const auto* ball = node("ball " + std::to_string(i + 1));
     ASSERT_NE(ball, nullptr);
-    const auto& [center, radius] = painted.balls[i];
+    const auto& [centre, radius] = painted.balls[i];
     const auto at = [&](std::size_t k) { return root.translation[k] + root.scale[k] * ball->translation[k]; };
-    expect_near({at(0), at(1), at(2)}, center, 1e-14);
+    expect_near({at(0), at(1), at(2)}, centre, 1e-14);
     EXPECT_NEAR(root.scale[0] * ball->scale[0], radius, 1e-16);
     EXPECT_EQ(ball->extras.Get("radius").GetNumberAsDouble(), radius);
-    EXPECT_EQ(ball->extras.Get("center").Get(1).GetNumberAsDouble(), center.y);
+    EXPECT_EQ(ball->extras.Get("center").Get(1).GetNumberAsDouble(), centre.y);
     EXPECT_EQ(ball->mesh, node("ball 1")->mesh) << "one mesh serves all";
   }
   const auto& ball_material = material(primitive("ball 1"));

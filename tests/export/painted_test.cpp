@@ -56,7 +56,7 @@ TEST_F(PaintedTest, BadInputIsRefusedByNameAndLeavesNoFile) {
   expect_refused([](PaintedMesh& p) { p.greatest = infinity; }, Code::bad_option);
   expect_refused([](PaintedMesh& p) { p.least = nan; }, Code::bad_option);
   expect_refused([](PaintedMesh& p) { p.balls[0].radius = 0; }, Code::bad_option);
-  expect_refused([](PaintedMesh& p) { p.balls[1].center.z = nan; }, Code::bad_option);
+  expect_refused([](PaintedMesh& p) { p.balls[1].centre.z = nan; }, Code::bad_option);
   expect_refused([](PaintedMesh& p) { p.balls[1] = {{1.7e308, 0, 0}, 1e308}; }, Code::bad_option);
   expect_refused([](PaintedMesh& p) { p.labels[1].place.x = -infinity; }, Code::bad_option);
   expect_refused([](PaintedMesh& p) { p.mesh.patches = p.mesh.patches.subspan(1); }, Code::bad_option);

@@ -66,7 +66,7 @@ TEST_F(PaintedVtpTest, PointsAndCellsAreMeshThenBallsThenLabels) {
   std::vector<double> expected;
   const auto add = [&](Vec3 p) { expected.insert(expected.end(), {p.x, p.y, p.z}); };
   for (const Vec3& vertex : made.mesh.vertices) add(vertex);
-  for (const PaintedBall& ball : painted.balls) add(ball.center);
+  for (const PaintedBall& ball : painted.balls) add(ball.centre);
   for (const PaintedLabel& label : painted.labels) add(label.place);
   const auto& points = vtp.arrays.at("Points/points");
   EXPECT_EQ(points.attributes.at("NumberOfComponents"), "3");

@@ -30,7 +30,7 @@ struct MeshArray {
 
 /// In the mesh's unit.
 struct PaintedBall {
-  Vec3 center;
+  Vec3 centre;
   double radius = 0;  ///< finite, above 0
 };
 
