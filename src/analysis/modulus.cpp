@@ -52,8 +52,8 @@ class ModulusSearch {
  private:
   Modulus modulus_of(const Section& section) {
     mark(section);
-    const Material material = is_whole(section) ? Material{field_.report.volume, field_.report.volume}
-                                                : material_of_marked();
+    const VolumeBounds material =
+        is_whole(section) ? VolumeBounds{field_.report.volume, field_.report.volume} : material_of_marked();
     Modulus modulus;
     modulus.volume = (material.sure + material.possible) / 2;
     modulus.volume_error = (material.possible - material.sure) / 2 + modulus.volume * sum_share;
@@ -61,8 +61,7 @@ class ModulusSearch {
     const double none = std::numeric_limits<double>::infinity();
     const bool cools = modulus.cooling_area > 0;
     modulus.value = cools ? modulus.volume / modulus.cooling_area : none;
-    modulus.error =
-        cools ? modulus.volume_error / modulus.cooling_area + modulus.value * sum_share : none;
+    modulus.error = cools ? modulus.volume_error / modulus.cooling_area + modulus.value * sum_share : none;
     return modulus;
   }
 
@@ -87,16 +86,16 @@ class ModulusSearch {
     return box;
   }
 
-  Material material_of_marked() {
+  VolumeBounds material_of_marked() {
     const MaterialSearch search{marked_, box_of_marked(), level_, error_ * flat_share};
-    std::vector<Material> found(tasks_.size());
+    std::vector<VolumeBounds> found(tasks_.size());
     for_chunks(tasks_.size(), 1, [&](std::size_t i, std::size_t) {
       if (!progress_.poll()) return;
       found[i] = MaterialDescent(field_, search, progress_).run(tasks_[i]);
       progress_.step();
     });
-    Material all;
-    for (const Material& part : found) {
+    VolumeBounds all;
+    for (const VolumeBounds& part : found) {
       all.sure += part.sure;
       all.possible += part.possible;
     }
