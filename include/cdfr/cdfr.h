@@ -3,6 +3,7 @@
 
 #include "cdfr/analysis/ball.h"              // IWYU pragma: export
 #include "cdfr/analysis/hot_spots.h"         // IWYU pragma: export
+#include "cdfr/analysis/modulus.h"           // IWYU pragma: export
 #include "cdfr/analysis/section_changes.h"   // IWYU pragma: export
 #include "cdfr/analysis/sections.h"          // IWYU pragma: export
 #include "cdfr/analysis/thickness.h"         // IWYU pragma: export

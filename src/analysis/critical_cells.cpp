@@ -6,6 +6,7 @@
 #include "analysis/ascent.h"
 #include "analysis/cell_index.h"
 #include "analysis/common_direction.h"
+#include "analysis/task_cells.h"
 #include "core/parallel.h"
 #include "core/vector.h"
 #include "field/distance_above.h"
@@ -106,15 +107,6 @@ class CriticalDescent {
   std::vector<Eigen::Vector3d> away_;
   std::vector<CriticalCell> found_;
 };
-
-std::vector<Cell> task_cells(const Lattice& lattice, int level) {
-  std::vector<Cell> cells;
-  const auto along = [&](int axis) { return lattice.bricks[static_cast<std::size_t>(axis)] << level; };
-  for (std::uint32_t z = 0; z < along(2); ++z)
-    for (std::uint32_t y = 0; y < along(1); ++y)
-      for (std::uint32_t x = 0; x < along(0); ++x) cells.push_back({level, {x, y, z}});
-  return cells;
-}
 
 }  // namespace
 

@@ -1,7 +1,5 @@
 #include "hot_spots.h"
 
-#include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <utility>
 
@@ -9,25 +7,12 @@
 #include "byte_sink.h"
 #include "hot_spots_report.h"
 #include "output_target.h"
+#include "patch_number.h"
 #include "steering.h"
 #include "stop.h"
 
 namespace cdfr::command {
 namespace {
-
-std::uint32_t patch_of(const std::string& name, const Input& input) {
-  if (input.mesh) {
-    const std::vector<std::string>& names = input.mesh->patch_names;
-    const auto at = std::find(names.begin(), names.end(), name);
-    if (at != names.end()) return static_cast<std::uint32_t>(at - names.begin());
-  }
-  std::uint32_t number = 0;
-  const char* end = name.data() + name.size();
-  const auto read = std::from_chars(name.data(), end, number);
-  if (read.ec != std::errc() || read.ptr != end)
-    stop_usage("--feed: no patch is called '" + name + "', and it is no number");
-  return number;
-}
 
 void write(const HotSpotsRequest& request, const Input& input, const HotSpotsFinding& finding) {
   if (request.output.empty()) return;
@@ -49,7 +34,7 @@ void write(const HotSpotsRequest& request, const Input& input, const HotSpotsFin
 
 void hot_spots_of_input(HotSpotsRequest request, const CLI::App& verb) {
   const Input input = open_input(request.input, request.settings, Demand::inside);
-  for (const std::string& name : request.feeders) request.options.feeders.push_back(patch_of(name, input));
+  request.options.feeders = patch_numbers("--feed", request.feeders, input);
   const auto start = std::chrono::steady_clock::now();
   Steering steering(request.settings, "looking for hot spots");
   HotSpotsFinding finding;

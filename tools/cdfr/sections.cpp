@@ -11,6 +11,7 @@
 #include "hot_spots.h"
 #include "input.h"
 #include "number_option.h"
+#include "patch_number.h"
 #include "sections_finding.h"
 #include "sections_output.h"
 #include "sections_report.h"
@@ -37,7 +38,8 @@ void check_arguments(const Arguments& arguments) {
   if (arguments.depth->count() + arguments.thickness->count() == 2)
     stop_usage("sections takes --depth or --thicker-than, not both");
   const bool hot = asks_hot_spots(arguments);
-  for (const char* name : {"--min-volume", "--min-depth", "--density", "--against"}) {
+  for (const char* name :
+       {"--min-volume", "--min-depth", "--density", "--against", "--modulus", "--not-cooling"}) {
     if (hot && arguments.verb->count(name) > 0)
       stop_usage(std::string(name) + " is for sections: it needs --depth or --thicker-than");
   }
@@ -45,6 +47,8 @@ void check_arguments(const Arguments& arguments) {
     if (!hot && arguments.verb->count(name) > 0)
       stop_usage(std::string(name) + " is for hot spots: not with --depth or --thicker-than");
   }
+  if (!arguments.request.not_cooling.empty() && !arguments.request.modulus)
+    stop_usage("--not-cooling is for --modulus");
   check_sections_target(arguments.request);
 }
 
@@ -60,13 +64,20 @@ SectionsFinding find(const Arguments& arguments, const Input& input, const Input
   const auto start = std::chrono::steady_clock::now();
   const SectionsRequest& request = arguments.request;
   const Mesh part = is_drawn(request.output) ? drawn_mesh(request.part, input) : Mesh{};
+  const ModulusOptions cooling{0, patch_numbers("--not-cooling", request.not_cooling, input)};
   Steering steering(request.settings, "looking for sections");
-  steering.share(0, former != nullptr ? 0.5 : 1);
+  const double each = 1.0 / (1 + (request.modulus ? 1 : 0) + (former != nullptr ? 1 : 0));
+  steering.share(0, each);
   SectionsFinding finding;
   finding.sections =
       need(heavy_sections(input.field, request.depth, request.options, steering.run()), request.input);
+  if (request.modulus) {
+    steering.share(each, 2 * each);
+    finding.moduli =
+        need(section_moduli(input.field, finding.sections, cooling, steering.run()), request.input);
+  }
   if (former != nullptr) {
-    steering.share(0.5, 1);
+    steering.share(1 - each, 1);
     finding.former =
         need(heavy_sections(former->field, request.depth, request.options, steering.run()), request.against);
     finding.changes = section_changes(finding.sections, *finding.former);
@@ -118,6 +129,12 @@ void add_section_options(CLI::App& verb, Arguments& arguments) {
              "Leaves out sections whose largest ball has a lesser radius");
   add_number(verb, "--density", request.density, {least, most},
              "Mass of a unit of volume, for the part's mass");
+  verb.add_flag("--modulus", request.modulus,
+                "The modulus of each section: its volume over its cooling surface");
+  verb.add_option("--not-cooling", request.not_cooling,
+                  "Patches through which no heat leaves, names or numbers, for --modulus")
+      ->delimiter(',')
+      ->type_name("PATCH,...");
   verb.add_option("--against", request.against,
                   "Former revision, mesh or field: what grew, shrank, is new or gone")
       ->type_name("FILE");

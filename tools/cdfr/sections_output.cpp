@@ -12,7 +12,7 @@
 namespace cdfr::command {
 namespace {
 
-void append_row(std::string& text, const Section& section, std::size_t rank) {
+void append_row(std::string& text, const Section& section, const Modulus* modulus, std::size_t rank) {
   text += std::to_string(rank);
   const InscribedBall& ball = section.ball;
   for (const double value :
@@ -22,15 +22,22 @@ void append_row(std::string& text, const Section& section, std::size_t rank) {
     text += ',';
     append_exact(text, value);
   }
-  text += "," + std::to_string(section.triangles.size()) + "," + std::to_string(section.cells) + "\n";
+  text += "," + std::to_string(section.triangles.size()) + "," + std::to_string(section.cells);
+  for (const double Modulus::*number : {&Modulus::value, &Modulus::error}) {
+    text += ',';
+    if (modulus != nullptr) append_exact(text, modulus->*number);
+  }
+  text += '\n';
 }
 
-std::string csv_of(const Sections& sections) {
+std::string csv_of(const SectionsFinding& finding) {
+  const std::vector<Section>& sections = finding.sections.sections;
   std::string text =
       "rank,x,y,z,radius,diameter,error,volume,volume_error,area,area_error,x_min,y_min,z_min,x_max,y_max,z_"
       "max,"
-      "triangles,cells\n";
-  for (std::size_t i = 0; i < sections.sections.size(); ++i) append_row(text, sections.sections[i], i + 1);
+      "triangles,cells,modulus,modulus_error\n";
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    append_row(text, sections[i], finding.moduli.empty() ? nullptr : &finding.moduli[i], i + 1);
   return text;
 }
 
@@ -55,7 +62,7 @@ void write_sections(const SectionsRequest& request, const Input& input, const Me
   if (request.output.empty()) return;
   if (is_drawn(request.output)) return draw(request, input, part, finding);
   const auto sink = whole_file(request.output);
-  sink->write(extension_of(request.output) == ".csv" ? csv_of(finding.sections)
+  sink->write(extension_of(request.output) == ".csv" ? csv_of(finding)
                                                      : text_of(sections_json(request, input, finding)));
   stop_if_interrupted();
   sink->finish();

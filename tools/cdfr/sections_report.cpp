@@ -18,13 +18,27 @@ constexpr std::size_t sections_told = 20;
 constexpr std::array<const char*, 5> fates{"same", "grown", "shrunk", "new", "gone"};
 const char* word_of(SectionFate fate) { return fates[static_cast<std::size_t>(fate)]; }
 
-Json section_json(const Section& section, std::size_t place) {
+Json modulus_json(const Modulus* modulus) {
+  if (modulus == nullptr) return nullptr;
+  return {{"value", modulus->value},
+          {"error", modulus->error},
+          {"volume", modulus->volume},
+          {"volume_error", modulus->volume_error},
+          {"cooling_area", modulus->cooling_area}};
+}
+
+const Modulus* modulus_at(const SectionsFinding& finding, std::size_t place) {
+  return finding.moduli.empty() ? nullptr : &finding.moduli[place];
+}
+
+Json section_json(const Section& section, const Modulus* modulus, std::size_t place) {
   return {{"rank", place + 1},
           {"ball", ball_json(section.ball)},
           {"volume", section.volume},
           {"volume_error", section.volume_error},
           {"area", section.area},
           {"area_error", section.area_error},
+          {"modulus", modulus_json(modulus)},
           {"box", json_of(section.box)},
           {"cells", section.cells},
           {"triangles", section.triangles}};
@@ -48,8 +62,9 @@ Json changes_json(const SectionsRequest& request, const SectionsFinding& finding
     Json one{{"fate", word_of(change.fate)},
              {"rank", change.now ? Json(*change.now + 1) : Json(nullptr)},
              {"former_rank", change.former ? Json(*change.former + 1) : Json(nullptr)}};
-    one["former"] = change.former ? section_json(finding.former->sections[*change.former], *change.former)
-                                  : Json(nullptr);
+    one["former"] = change.former
+                        ? section_json(finding.former->sections[*change.former], nullptr, *change.former)
+                        : Json(nullptr);
     changes.push_back(one);
   }
   return {{"former", request.against}, {"changes", changes}};
@@ -67,7 +82,17 @@ std::string power_of(const std::string& unit, const char* power) {
   return unit.empty() ? unit : unit + power;
 }
 
-void add_section(const Input& input, const Section& section, std::size_t place, TextReport& text) {
+void add_modulus(const Input& input, const Modulus* modulus, TextReport& text) {
+  if (modulus == nullptr) return;
+  if (!(modulus->cooling_area > 0)) return text.line("", "modulus infinite: nothing cools");
+  text.line("", "modulus " + bounded_text(modulus->value, modulus->error, input.unit) + ": volume " +
+                    bounded_text(modulus->volume, modulus->volume_error, power_of(input.unit, "^3")) +
+                    ", cooling surface " + short_text(modulus->cooling_area) +
+                    after_number(power_of(input.unit, "^2")));
+}
+
+void add_section(const Input& input, const Section& section, const Modulus* modulus, std::size_t place,
+                 TextReport& text) {
   text.line(std::to_string(place + 1),
             thickness_text(section.ball, input.unit) + ", at " + short_text(section.ball.centre));
   text.line("", "volume " + bounded_text(section.volume, section.volume_error, power_of(input.unit, "^3")) +
@@ -76,6 +101,7 @@ void add_section(const Input& input, const Section& section, std::size_t place, 
   text.line("", "box " + short_text(section.box.lo) + " to " + short_text(section.box.hi) +
                     after_number(input.unit) + ", " + count_text(section.triangles.size()) +
                     " triangles around it, ball touches " + count_text(section.ball.touches.size()));
+  add_modulus(input, modulus, text);
 }
 
 void add_doubts(const Input& input, const Sections& sections, TextReport& text) {
@@ -146,7 +172,8 @@ Json sections_json(const SectionsRequest& request, const Input& input, const Sec
   json["min_depth"] = request.options.min_depth;
   json["sections"] = Json::array();
   for (std::size_t i = 0; i < sections.sections.size(); ++i)
-    json["sections"].push_back(section_json(sections.sections[i], i));
+    json["sections"].push_back(section_json(sections.sections[i], modulus_at(finding, i), i));
+  json["not_cooling"] = request.modulus ? Json(request.not_cooling) : Json(nullptr);
   json["left_out"] = sections.left_out;
   json["may_join"] = joins_json(sections);
   json["undecided"] = Json::array();
@@ -172,7 +199,8 @@ std::string sections_text(const SectionsRequest& request, const Input& input,
   text.line("sections", sections.sections.empty() ? "none: no place inside is deeper"
                                                   : count_text(sections.sections.size()));
   const std::size_t told = std::min(sections_told, sections.sections.size());
-  for (std::size_t i = 0; i < told; ++i) add_section(input, sections.sections[i], i, text);
+  for (std::size_t i = 0; i < told; ++i)
+    add_section(input, sections.sections[i], modulus_at(finding, i), i, text);
   if (told < sections.sections.size())
     text.line("", "and " + count_text(sections.sections.size() - told) + " lesser ones (--json has all)");
   if (sections.left_out > 0)
