@@ -60,6 +60,32 @@ TEST_F(SectionsCliTest, EveryFormIsWritten) {
   EXPECT_EQ(nlohmann::json::parse(text_of("s.json"))["sections"].size(), 1U);
 }
 
+TEST_F(SectionsCliTest, ModulusIsInEachFormWhereAskedFor) {
+  const std::vector<std::string> ask{"sections", cube_, "--depth", "1", "--unit", "mm"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), ask.begin(), ask.end());
+    return run(more);
+  };
+  const auto none = with({"--json", "-o", path("none.csv")}).json();
+  EXPECT_TRUE(none["sections"][0]["modulus"].is_null());
+  EXPECT_NE(text_of("none.csv").find(",,\n"), std::string::npos);
+  const auto modulus = with({"--modulus", "--json", "-o", path("m.csv")}).json()["sections"][0]["modulus"];
+  EXPECT_NEAR(modulus["value"].get<double>(), 5.0 / 6, 1e-6);
+  EXPECT_EQ(modulus["cooling_area"], 150);
+  EXPECT_NE(text_of("m.csv").find(",modulus,modulus_error\n"), std::string::npos);
+  EXPECT_EQ(text_of("m.csv").find(",,\n"), std::string::npos);
+  const Outcome text = with({"--modulus"});
+  EXPECT_NE(text.output.find("modulus 0.83333"), std::string::npos) << text.output;
+  const auto cold = with({"--modulus", "--not-cooling", "0", "--json"}).json();
+  EXPECT_TRUE(cold["sections"][0]["modulus"]["value"].is_null());
+  EXPECT_EQ(cold["not_cooling"][0], "0");
+  EXPECT_NE(with({"--modulus", "--not-cooling", "0"}).output.find("infinite"), std::string::npos);
+  EXPECT_EQ(with({"--not-cooling", "0"}).status, 2);
+  EXPECT_EQ(with({"--modulus", "--not-cooling", "riser"}).status, 2);
+  EXPECT_EQ(run({"sections", cube_, "--modulus"}).status, 2);
+  EXPECT_EQ(run({"sections", cube_, "--not-cooling", "0"}).status, 2);
+}
+
 TEST_F(SectionsCliTest, NoneIsAnAnswer) {
   const Outcome outcome = run({"sections", cube_, "--thicker-than", "5"});
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
@@ -84,7 +110,7 @@ TEST_F(SectionsCliTest, AgainstTellsWhatChanged) {
 }
 
 TEST_F(SectionsCliTest, WrongUsageAndWhatHasNoInside) {
-  EXPECT_EQ(run({"sections", cube_}).status, 2);
+  EXPECT_EQ(run({"sections"}).status, 2);
   EXPECT_EQ(run({"sections", cube_, "--depth", "1", "--thicker-than", "2"}).status, 2);
   EXPECT_EQ(run({"sections", cube_, "--depth", "-1"}).status, 2);
   EXPECT_EQ(run({"sections", cube_, "--depth", "1", "--error", "1e-9"}).status, 2);
