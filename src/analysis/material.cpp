@@ -12,6 +12,8 @@
 namespace cdfr {
 namespace {
 
+/// From so many levels above the last one on triangles are looked at: before, too many of them are near.
+constexpr int blind_levels = 3;
 /// Offsets of planes round by less than this share of the way to their triangle: 8 u.
 constexpr double plane_share = 0x1p-50;
 
@@ -45,9 +47,12 @@ void MaterialDescent::descend(const Cell& cell, const std::vector<std::uint32_t>
   double distance = among == nullptr ? unsigned_distance(field_, cube.centre()) : HUGE_VAL;
   const double reach = distance + 2 * radius;
   if (squared_distance_below(cube.centre(), search_.box) > reach * reach) return;
-  const bool known = look(cube, distance, among);
-  for (const NearTriangle& near : near_) distance = std::min(distance, near.foot.distance);
-  const std::size_t own = count_marked();
+  const bool known =
+      (among != nullptr || cell.level + blind_levels >= search_.level) && look(cube, distance, among);
+  if (known) {
+    for (const NearTriangle& near : near_) distance = std::min(distance, near.foot.distance);
+  }
+  const std::size_t own = known ? count_marked() : 0;
   if (known && own == 0) return;
   if (!inside && distance > radius) {
     const Side side = side_of_free_ball(field_, cube.centre(), radius);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "analysis/critical_cells.h"
 #include "analysis/material.h"
@@ -19,7 +20,7 @@ namespace {
 /// Cells that one task after another takes.
 constexpr int task_level = 1;
 /// Of the sections' error that the default takes.
-constexpr double default_share = 4;
+constexpr double default_share = 2;
 /// Of e, to which curved surface counts as flat.
 constexpr double flat_share = 0x1p-5;
 /// Least e, as a share of the longest side: as of sections.

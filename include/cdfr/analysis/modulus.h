@@ -14,7 +14,7 @@ namespace cdfr {
 
 struct ModulusOptions {
   /// e, in the mesh's unit: cubes that are not decided are halved until half their diagonal is no longer; 0
-  /// takes four times the sections' error.
+  /// takes twice the sections' error.
   double error = 0;
   /// Patches through which no heat leaves: feeders, insulated walls, planes of symmetry. Those that the mesh
   /// has none of count for nothing.
