@@ -14,6 +14,7 @@
 #include "field/query.h"
 #include "geometry/box_distance.h"
 #include "geometry/cube.h"
+#include "geometry/plain_foot.h"
 #include "geometry/query_range.h"
 
 namespace cdfr {
@@ -49,14 +50,14 @@ class CriticalDescent {
     if (inside) depth = known ? distance_ : -signed_distance(field_, cube.centre());
     if (depth + radius <= search_.floor) return;
     if (known && common_direction(away_, radius).least > radius) return;
-    const bool touched = !known || touches(slots);
+    const bool touched = !search_.marked.empty() && (!known || touches(slots));
     if (cell.level == level_) {
       const Vec3 centre = cube.centre();
       found_.push_back({key_of(cell), centre, -signed_distance(field_, centre), touched});
       return;
     }
     inside = depth > radius;
-    if (inside && known && !touched && settle(cell, cube, depth, slots)) return;
+    if (inside && known && settle(cell, cube, depth, slots, touched)) return;
     if (!progress_.poll()) return;
     for (int child = 0; child < 8; ++child) run(child_of(cell, child), known ? &slots : nullptr, inside);
   }
@@ -80,20 +81,30 @@ class CriticalDescent {
   }
 
   bool touches(const std::vector<std::uint32_t>& slots) const noexcept {
-    return !search_.marked.empty() && std::any_of(slots.begin(), slots.end(), [&](std::uint32_t slot) {
-      return search_.marked[slot] != 0;
-    });
+    return std::any_of(slots.begin(), slots.end(),
+                       [&](std::uint32_t slot) { return search_.marked[slot] != 0; });
   }
 
-  /// Takes the cell as it is if its core tells enough. Precondition: all of it is inside.
-  bool settle(const Cell& cell, const Cube& cube, double depth, std::span<const std::uint32_t> among) {
+  /// Takes the cell as it is if its core tells enough: of a marked triangle too, if one is near.
+  /// Precondition: all of the cell is inside.
+  bool settle(const Cell& cell, const Cube& cube, double depth, std::span<const std::uint32_t> among,
+              bool touched) {
     if (cube.size * cube.size > search_.error * depth) return false;
     const double most = distance_above(field_, cube.lo, cube.size) + rounding_;
     const Vec3 core = ascent_.top_in(cube, depth, search_.error / 8, among);
     const double reached = -signed_distance(field_, core);
     if (most > reached + search_.error / 2) return false;
-    if (reached > search_.floor) found_.push_back({key_of(cell), core, reached, false});
+    if (touched && !is_touched(core, reached, among)) return false;
+    if (reached > search_.floor) found_.push_back({key_of(cell), core, reached, touched});
     return true;
+  }
+
+  /// Does the ball about the core, larger by half the error, meet a marked triangle?
+  bool is_touched(const Vec3& core, double depth, std::span<const std::uint32_t> among) const {
+    return std::any_of(among.begin(), among.end(), [&](std::uint32_t slot) {
+      return search_.marked[slot] != 0 &&
+             plain_foot(to_eigen(core), field_.triangles.shape(slot)).distance <= depth + search_.error / 2;
+    });
   }
 
   const FieldData& field_;

@@ -128,6 +128,16 @@ TEST(HotSpots, AreFedThroughTheNarrowestBallOnTheWay) {
   for (const HotSpot& spot : dry.spots) EXPECT_FALSE(spot.fed);
 }
 
+TEST(HotSpots, AFeederAllAroundTakesNoMoreCellsThanNone) {
+  const Field field = field_of(plate(chord).mesh);
+  const HotSpots dry = hot_spots(field, {.error = 0.05}).value();
+  const HotSpots fed = hot_spots(field, {.error = 0.05, .feeders = {0, 1, 2}}).value();
+  EXPECT_EQ(fed.critical_cells, dry.critical_cells);
+  ASSERT_EQ(fed.spots.size(), 1U);
+  EXPECT_TRUE(fed.spots[0].fed);
+  EXPECT_NEAR(fed.spots[0].feed.radius, fed.spots[0].ball.radius, fed.error);
+}
+
 TEST(HotSpots, TheMadeCylinderHeadHasItsHeavyPlace) {
   const Mesh head = make_part("cylinder-head").value();
   const HotSpots found = hot_spots(field_of(head), {.error = 4}).value();
