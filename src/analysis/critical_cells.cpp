@@ -22,6 +22,8 @@ namespace {
 
 /// Cells that one task after another takes.
 constexpr int task_level = 1;
+/// Far above what unit normals are rounded by.
+constexpr double graph_slope = 0x1p-20;
 
 class CriticalDescent {
  public:
@@ -57,9 +59,23 @@ class CriticalDescent {
       return;
     }
     inside = depth > radius;
+    if (known && !inside && field_.report.embedded() && is_graph(slots)) return;
     if (inside && known && settle(cell, cube, depth, slots, touched)) return;
     if (!progress_.poll()) return;
     for (int child = 0; child < 8; ++child) run(child_of(cell, child), known ? &slots : nullptr, inside);
+  }
+
+  /// Do all these triangles' insides lie on one side, so that the surface is a graph over a plane? Then the
+  /// depth has no critical point in the cell: at a closest point p of x the surface around p is a graph over
+  /// the plane at right angles to some v, the inside above; a ball about x that touches p and nothing else
+  /// cannot hold points under the graph, so x lies above p: x - p goes along v, for every closest p.
+  bool is_graph(const std::vector<std::uint32_t>& slots) {
+    away_.clear();
+    for (const std::uint32_t slot : slots) {
+      const auto& normal = field_.triangles.shape(slot).normal;
+      away_.emplace_back(-normal[0].hi, -normal[1].hi, -normal[2].hi);
+    }
+    return common_direction(away_, graph_slope).least > graph_slope;
   }
 
   /// The triangles that can be closest in the cube, the vectors from their feet to its centre, and the least

@@ -158,6 +158,7 @@ void HeavyDescent::see(std::size_t point, double size, std::span<const std::uint
 }
 
 void HeavyDescent::descend(const Cell& cell, const Seen& seen) {
+  if (!progress_.poll()) return;
   const Cube cube = cube_of(cell);
   centres_.count = 0;
   for (int child = 0; child < 8; ++child) centres_.add(minus(cube.octant(child).centre(), middle_));
@@ -184,6 +185,7 @@ void HeavyDescent::settle(const Cell& cell, const Seen& seen) {
 
 /// By the slope alone, until few enough triangles are near.
 void HeavyDescent::descend_blind(const Cell& cell, Sided sided) {
+  if (!progress_.poll()) return;
   for (int child = 0; child < 8; ++child) {
     const Cell octant = child_of(cell, child);
     const Cube cube = cube_of(octant);

@@ -29,6 +29,7 @@
 #include <vector>
 
 #include "analysis/heavy_cell.h"
+#include "core/progress.h"
 #include "field/field_data.h"
 #include "geometry/cube.h"
 #include "geometry/feet.h"
@@ -49,8 +50,12 @@ struct HeavyCells {
 
 class HeavyDescent {
  public:
-  HeavyDescent(const FieldData& field, const Threshold& threshold, HeavyCells& out)
-      : field_(field), threshold_(threshold), rule_(threshold, field.tree.lattice), out_(out) {}
+  HeavyDescent(const FieldData& field, const Threshold& threshold, HeavyCells& out, Progress& progress)
+      : field_(field),
+        threshold_(threshold),
+        rule_(threshold, field.tree.lattice),
+        out_(out),
+        progress_(progress) {}
 
   /// A leaf of the octree, or a cell in it, whose list is the leaf's.
   void run(const Cell& cell, std::span<const Entry> list, Side side);
@@ -106,6 +111,7 @@ class HeavyDescent {
   const Threshold& threshold_;
   CoreRule rule_;
   HeavyCells& out_;
+  Progress& progress_;
   std::vector<CellTriangle> told_ = std::vector<CellTriangle>(1024, {no_index, no_index});  ///< last, by slot
 
   // Of the list.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,7 @@ class HotSpotSearch {
       : field_(field), options_(options), progress_(progress) {}
 
   Result<HotSpots> run() {
+    if (Result<void> there = check_feeders(); !there) return there.error();
     if (Result<void> taken = take_options(); !taken) return taken.error();
     // Nothing is deep enough for a hot spot of that prominence.
     if (!(deepest_.depth > 0)) return found_;
@@ -66,6 +68,16 @@ class HotSpotSearch {
       return Error{Code::bad_option, 0, "error is too small for this part's size"};
     if (found_.prominence < 2 * found_.error)
       return Error{Code::bad_option, 0, "prominence must be at least twice the error"};
+    return {};
+  }
+
+  Result<void> check_feeders() const {
+    for (const std::uint32_t patch : options_.feeders) {
+      const auto& triangles = field_.triangles.exact;
+      if (std::none_of(triangles.begin(), triangles.end(),
+                       [&](const ExactTriangle& t) { return t.patch == patch; }))
+        return Error{Code::bad_option, patch, "no triangle is of patch " + std::to_string(patch)};
+    }
     return {};
   }
 

@@ -24,8 +24,9 @@ constexpr double least_halved = 0x1p-8;
 class Overlay {
  public:
   Overlay(const FieldData& field, const Threshold& threshold, std::span<const HeavyCell> cells,
-          const CellIndex& index, CellJoins& joins)
+          const CellIndex& index, CellJoins& joins, Progress& progress)
       : field_(field),
+        progress_(progress),
         threshold_(threshold),
         rule_(threshold, field.tree.lattice),
         cells_(cells),
@@ -34,10 +35,10 @@ class Overlay {
         doubts_(joins.doubts),
         least_half_(threshold.error / std::sqrt(3.0) * least_halved / field.tree.lattice.edge) {}
 
-  NeckFindings run(Progress& progress) {
+  NeckFindings run() {
     drop_idle_doubts();
     std::vector<std::uint32_t> between;
-    for (int round = 0; round < most_rounds && progress.poll(); ++round) {
+    for (int round = 0; round < most_rounds && progress_.poll(); ++round) {
       between = cells_between();
       if (between.empty() || between.size() > most_halved) break;
       // Half the diagonal of the largest decides how far this round goes.
@@ -128,7 +129,7 @@ class Overlay {
     const Cell at = cell_of(cell(i).key);
     if (at.level >= deepest_level) return false;
     HeavyCells octants;
-    HeavyDescent(field_, finer_, octants).refine(at);
+    HeavyDescent(field_, finer_, octants, progress_).refine(at);
     findings_.looks += octants.looks;
     by_place_.erase(Span::of(cell(i).key).first);
     for (const HeavyCell& octant : octants.cells) {
@@ -212,6 +213,7 @@ class Overlay {
   }
 
   const FieldData& field_;
+  Progress& progress_;
   const Threshold& threshold_;
   CoreRule rule_;
   std::span<const HeavyCell> cells_;
@@ -231,7 +233,7 @@ class Overlay {
 NeckFindings look_at_necks(const FieldData& field, const Threshold& threshold,
                            std::span<const HeavyCell> cells, const CellIndex& index, CellJoins& joins,
                            Progress& progress) {
-  return Overlay(field, threshold, cells, index, joins).run(progress);
+  return Overlay(field, threshold, cells, index, joins, progress).run();
 }
 
 }  // namespace cdfr

@@ -49,7 +49,7 @@ HeavyCells cells_in_block(const FieldData& field, const Threshold& threshold, st
                           Progress& progress) {
   HeavyCells found;
   const Block block = field.tree.block(number);
-  HeavyDescent descent(field, threshold, found);
+  HeavyDescent descent(field, threshold, found, progress);
   for_each_leaf(block, [&](const Cell& cell, std::uint32_t leaf_number) {
     if (!progress.poll()) return;
     const LeafRecord& leaf = block.leaves[leaf_number];

@@ -44,7 +44,7 @@ void find_thin_places(std::span<const ThicknessSample> samples, const SampleNeig
   const bool given = options.thinner_than > 0;
   report.thin_limit = given ? options.thinner_than : default_limit(samples);
   const auto is_thin = [&](const ThicknessSample& sample) {
-    return given ? sample.thickness < report.thin_limit
+    return given ? sample.thickness + sample.error < report.thin_limit
                  : sample.thickness - sample.facet - sample.error <= report.thin_limit;
   };
   for (const bool wall : {true, false}) {

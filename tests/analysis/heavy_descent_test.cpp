@@ -19,7 +19,9 @@ namespace {
 HeavyCells cells_of(const Field& field, const Threshold& threshold) {
   HeavyCells cells;
   const Octree& tree = field.data().tree;
-  HeavyDescent descent(field.data(), threshold, cells);
+  const Run run;
+  Progress progress(run);
+  HeavyDescent descent(field.data(), threshold, cells, progress);
   for (std::size_t i = 0; i < tree.block_count(); ++i) {
     const Block block = tree.block(i);
     for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {

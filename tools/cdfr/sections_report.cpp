@@ -72,9 +72,9 @@ Json changes_json(const SectionsRequest& request, const SectionsFinding& finding
 
 /// The divergence theorem's volume is that of a solid only where the mesh closes.
 void add_part(const SectionsRequest& request, const MeshReport& mesh, Json& json) {
-  json["part"] = {{"volume", mesh.balanced() ? Json(mesh.volume) : Json(nullptr)}, {"area", mesh.area}};
+  json["part"] = {{"volume", mesh.embedded() ? Json(mesh.volume) : Json(nullptr)}, {"area", mesh.area}};
   json["density"] = request.density > 0 ? Json(request.density) : Json(nullptr);
-  const bool has_mass = request.density > 0 && mesh.balanced();
+  const bool has_mass = request.density > 0 && mesh.embedded();
   json["mass"] = has_mass ? Json(mesh.volume * request.density) : Json(nullptr);
 }
 
@@ -141,7 +141,7 @@ void add_changes(const SectionsRequest& request, const Input& input, const Secti
 void add_solid(const SectionsRequest& request, const Input& input, TextReport& text) {
   const MeshReport& mesh = input.field.report();
   text.line("mesh", sign_reason(mesh));
-  if (!mesh.balanced()) return;
+  if (!mesh.embedded()) return;
   text.line("part", "volume " + short_text(mesh.volume) + after_number(power_of(input.unit, "^3")) +
                         ", surface " + short_text(mesh.area) + after_number(power_of(input.unit, "^2")));
   if (request.density > 0) text.line("mass", short_text(mesh.volume * request.density));

@@ -85,9 +85,9 @@ void add_options(const ThicknessRequest& request, const ThicknessReport& report,
 
 /// The divergence theorem's volume is that of a solid only where the mesh closes.
 void add_solid(const ThicknessRequest& request, const MeshReport& mesh, Json& json) {
-  json["volume"] = mesh.balanced() ? Json(mesh.volume) : Json(nullptr);
+  json["volume"] = mesh.embedded() ? Json(mesh.volume) : Json(nullptr);
   json["density"] = request.density > 0 ? Json(request.density) : Json(nullptr);
-  const bool has_mass = request.density > 0 && mesh.balanced();
+  const bool has_mass = request.density > 0 && mesh.embedded();
   json["mass"] = has_mass ? Json(mesh.volume * request.density) : Json(nullptr);
 }
 
@@ -231,7 +231,7 @@ std::string thickness_text(const ThicknessRequest& request, const Input& input,
   add_tolerances(request, input, report, text);
   add_samples(request, report, text);
   text.line("mesh", sign_reason(mesh));
-  if (mesh.balanced()) {
+  if (mesh.embedded()) {
     text.line("volume",
               short_text(mesh.volume) + (input.unit.empty() ? "" : after_number(input.unit) + "^3"));
     if (request.density > 0) text.line("mass", short_text(mesh.volume * request.density));

@@ -18,9 +18,8 @@ struct HotSpotOptions {
   /// e, in the mesh's unit, of necks and prominences; 0 takes the longest side / 1000 or a twentieth of the
   /// greatest depth, whichever is more.
   double error = 0;
-  /// A hot spot is deeper by more than this than the deepest neck that leads on to a deeper one, or than 0 where none
-  /// does. At least 2
-  /// e; 0 takes 2 e or a twentieth of the greatest depth, whichever is more.
+  /// A hot spot is deeper by more than this than the deepest neck that leads on to a deeper one, or than 0
+  /// where none does. At least 2 e; 0 takes 2 e or a twentieth of the greatest depth, whichever is more.
   double prominence = 0;
   /// Patches that metal is fed through. Empty: HotSpot::feed says nothing.
   std::vector<std::uint32_t> feeders{};
@@ -42,7 +41,7 @@ struct HotSpot {
   double prominence = 0;       ///< its radius less that of its neck; of the deepest of a body its radius
   std::size_t towards = none;  ///< place in HotSpots::spots of the deeper one behind the neck; none for the
                                ///< deepest of a body
-  Neck neck;  ///< on the way there
+  Neck neck;                   ///< on the way there
   /// The greatest depth found on the sphere about the ball's centre of twice its radius, to within e: what
   /// the walls that lead away are good for; 0 if none does. On an even plate, and in a bar, it is the ball's
   /// radius.
@@ -61,9 +60,10 @@ struct HotSpots {
 /// All local maxima of the depth with a prominence above options.prominence (src/analysis/depth_tree.h).
 /// Maxima that are nowhere more than e apart in depth along a path, such as the middle of a plate, are one.
 /// Same bits for any number of threads. Time goes with the area of the part's middle surfaces, where walls
-/// face each other, over e^2. Errors: bad_option (not finite or negative; error below 2^-18 of the octree's
-/// cells of level 0 or 1024 ulp; prominence below 2 e), not_closed (an unsigned field, or an open mesh: the
-/// sign has to change on the surface alone), cancelled; status(). Thread safe.
+/// face each other, over e^2. Errors: bad_option (not finite or negative; a feeder that no triangle is of;
+/// error below 2^-18 of the octree's cells of level 0 or 1024 ulp; prominence below 2 e), not_closed (an
+/// unsigned field, or an open mesh: the sign has to change on the surface alone), cancelled; status(). Thread
+/// safe.
 CDFR_API Result<HotSpots> hot_spots(const Field& field, const HotSpotOptions& options = {},
                                     const Run& run = {});
 
