@@ -49,12 +49,12 @@ TEST_P(HotSpotsOf, AreTheBallsOfTheShape) {
 }
 
 std::string shape_name(const testing::TestParamInfo<std::size_t>& info) {
-  std::string name = shapes(0.5)[info.param].name;
+  std::string name = shapes(chord)[info.param].name;
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, HotSpotsOf, testing::Range(std::size_t{0}, shapes(0.5).size()), shape_name);
+INSTANTIATE_TEST_SUITE_P(Shapes, HotSpotsOf, testing::Range(std::size_t{0}, shapes(chord).size()), shape_name);
 
 TEST(HotSpots, TheNeckOfADumbbellLiesWhereItIsNarrowest) {
   const Shape shape = dumbbell(chord);
