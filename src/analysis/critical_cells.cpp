@@ -59,19 +59,21 @@ class CriticalDescent {
       return;
     }
     inside = depth > radius;
-    if (known && !inside && field_.report.embedded() && is_graph(slots)) return;
+    if (known && !inside && is_graph(slots)) return;
     if (inside && known && settle(cell, cube, depth, slots, touched)) return;
     if (!progress_.poll()) return;
     for (int child = 0; child < 8; ++child) run(child_of(cell, child), known ? &slots : nullptr, inside);
   }
 
-  /// Do all these triangles' insides lie on one side, so that the surface is a graph over a plane? Then the
-  /// depth has no critical point in the cell: at a closest point p of x the surface around p is a graph over
-  /// the plane at right angles to some v, the inside above; a ball about x that touches p and nothing else
-  /// cannot hold points under the graph, so x lies above p: x - p goes along v, for every closest p.
+  /// Are these triangles graphs over one plane, inside above, outside below? Then the depth has no critical
+  /// point in the cell. Let x be inside, p a closest point, v the way up. The ball about x that touches p holds no
+  /// point of the surface, so all of it is inside. Were x - p not going up, the ball would hold points straight
+  /// below p, which are outside. So x - p goes along v for every closest p.
   bool is_graph(const std::vector<std::uint32_t>& slots) {
+    const bool embedded = field_.report.embedded();
     away_.clear();
     for (const std::uint32_t slot : slots) {
+      if (!embedded && field_.triangles.records[slot].sides != Sides::outward) return false;
       const auto& normal = field_.triangles.shape(slot).normal;
       away_.emplace_back(-normal[0].hi, -normal[1].hi, -normal[2].hi);
     }
