@@ -58,4 +58,11 @@ std::vector<std::string> warnings_for(const MeshReport& report) {
   return warnings;
 }
 
+void add_mesh(const MeshReport& report, TextReport& text) {
+  text.line("mesh", sign_reason(report));
+  if (report.touching_triangles > 0 || report.duplicate_triangles > 0)
+    text.line("caution",
+              "bodies cross or touch, and walls inside count as walls: the part may be thicker there");
+}
+
 }  // namespace cdfr::command

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "audit_report.h"
 #include "field_report.h"
 #include "number_text.h"
 #include "sections_report.h"
@@ -111,6 +112,7 @@ std::string hot_spots_text(const HotSpotsRequest& request, const Input& input,
     text.line("", "and " + count_text(found.spots.size() - told) + " lesser ones (--json has all)");
   text.line("prominence above", short_text(found.prominence) + unit);
   text.line("error of necks", short_text(found.error) + unit);
+  add_mesh(input.field.report(), text);
   text.line("sha256 of the input", finding.provenance.sha256);
   text.line("time", seconds_text(finding.seconds) + ", field " + seconds_text(input.seconds));
   if (!request.output.empty()) text.line("written to", terminal_text(request.output));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "audit_report.h"
 #include "field_report.h"
 #include "number_text.h"
 #include "terminal_text.h"
@@ -140,7 +141,7 @@ void add_changes(const SectionsRequest& request, const Input& input, const Secti
 
 void add_solid(const SectionsRequest& request, const Input& input, TextReport& text) {
   const MeshReport& mesh = input.field.report();
-  text.line("mesh", sign_reason(mesh));
+  add_mesh(mesh, text);
   if (!mesh.embedded()) return;
   text.line("part", "volume " + short_text(mesh.volume) + after_number(power_of(input.unit, "^3")) +
                         ", surface " + short_text(mesh.area) + after_number(power_of(input.unit, "^2")));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "audit_report.h"
 #include "field_report.h"
 #include "number_text.h"
 #include "terminal_text.h"
@@ -230,7 +231,7 @@ std::string thickness_text(const ThicknessRequest& request, const Input& input,
   if (finding.thinning) add_thinning(request, input, *finding.thinning, text);
   add_tolerances(request, input, report, text);
   add_samples(request, report, text);
-  text.line("mesh", sign_reason(mesh));
+  add_mesh(mesh, text);
   if (mesh.embedded()) {
     text.line("volume",
               short_text(mesh.volume) + (input.unit.empty() ? "" : after_number(input.unit) + "^3"));
