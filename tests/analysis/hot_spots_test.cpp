@@ -127,6 +127,13 @@ TEST(HotSpots, AreFedThroughTheNarrowestBallOnTheWay) {
   EXPECT_EQ(hot_spots(field_of(shape.mesh), options).error().code, Code::bad_option);
 }
 
+TEST(HotSpots, TakeCellsByTheMiddlesOfWallsAndNotByTheSurface) {
+  const HotSpots found = hot_spots(field_of(cube(chord).mesh), {.error = 0.01}).value();
+  ASSERT_EQ(found.spots.size(), 1U);
+  EXPECT_LT(found.critical_cells, 1000U);
+  EXPECT_NEAR(found.spots[0].ball.radius, 2, found.spots[0].ball.error + 1e-12);
+}
+
 TEST(HotSpots, AFeederAllAroundTakesNoMoreCellsThanNone) {
   const Field field = field_of(plate(chord).mesh);
   const HotSpots dry = hot_spots(field, {.error = 0.05}).value();

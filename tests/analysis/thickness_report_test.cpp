@@ -25,6 +25,18 @@ TEST(ThicknessReport, QuantilesAreByWeight) {
   EXPECT_TRUE(std::isnan(quantile({}, 0.5)));
 }
 
+TEST(ThicknessReport, AWallAtItsLimitIsNotThin) {
+  const Field field = Field::build(test::plate(0).mesh.view()).value();
+  ThicknessOptions options;
+  options.at = SampleAt::spacing;
+  options.spacing = 1;
+  options.edges = EdgePolicy::skip;
+  options.thinner_than = 2;
+  EXPECT_EQ(thickness(field, options).value().report.thin_area, 0);
+  options.thinner_than = 2.001;
+  EXPECT_GT(thickness(field, options).value().report.thin_area, 0);
+}
+
 TEST(ThicknessReport, AreasAddUp) {
   const test::Shape shape = test::stepped_plate(0);
   const Field field = Field::build(shape.mesh.view()).value();
