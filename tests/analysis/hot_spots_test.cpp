@@ -54,7 +54,8 @@ std::string shape_name(const testing::TestParamInfo<std::size_t>& info) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, HotSpotsOf, testing::Range(std::size_t{0}, shapes(chord).size()), shape_name);
+INSTANTIATE_TEST_SUITE_P(Shapes, HotSpotsOf, testing::Range(std::size_t{0}, shapes(chord).size()),
+                         shape_name);
 
 TEST(HotSpots, TheNeckOfADumbbellLiesWhereItIsNarrowest) {
   const Shape shape = dumbbell(chord);
