@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "cdfr/export/painted.h"
-#include "cdfr/mesh/read.h"
 #include "number_text.h"
 #include "output_target.h"
 #include "stop.h"
@@ -38,17 +37,6 @@ Painting painting_of(std::span<const DrawnBall> balls, std::size_t triangles) {
 bool is_drawn(const std::string& output) {
   const std::string extension = extension_of(output);
   return extension == ".glb" || extension == ".ply" || extension == ".vtp";
-}
-
-Mesh drawn_mesh(const std::string& part, const Input& input) {
-  if (part.empty()) {
-    if (!input.mesh) stop_usage("a saved field is drawn on --part MESH: it keeps no vertices by file order");
-    return *input.mesh;
-  }
-  Mesh mesh = need(read_mesh(part), part);
-  if (mesh.triangles.size() != input.field.report().triangles)
-    stop_failed(part, "not the field's mesh: it has another number of triangles");
-  return mesh;
 }
 
 void draw_balls(const Mesh& part, std::span<const DrawnBall> balls, double least, const std::string& unit,

@@ -21,9 +21,6 @@ struct DrawnBall {
 
 /// Does a file of that name show the part's triangles?
 bool is_drawn(const std::string& output);
-/// The mesh to draw: INPUT itself, or `part` for a saved field. Ends the program (Stop) if that is not its
-/// mesh.
-Mesh drawn_mesh(const std::string& part, const Input& input);
 
 /// .glb, .ply or .vtp: the part translucent, with the balls and their labels. Triangles of several balls have
 /// the colour of the first. `least` is the diameter of the first colour, that of the first ball the last.

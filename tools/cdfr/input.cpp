@@ -72,4 +72,15 @@ Input open_input(const std::filesystem::path& path, const Settings& settings, De
   return input;
 }
 
+Mesh drawn_mesh(const std::string& part, const Input& input) {
+  if (part.empty()) {
+    if (!input.mesh) stop_usage("a saved field is drawn on --part MESH: it keeps no vertices by file order");
+    return *input.mesh;
+  }
+  Mesh mesh = need(read_mesh(part), part);
+  if (mesh.triangles.size() != input.field.report().triangles)
+    stop_failed(part, "not the field's mesh: it has another number of triangles");
+  return mesh;
+}
+
 }  // namespace cdfr::command

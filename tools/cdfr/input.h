@@ -31,4 +31,8 @@ enum class Demand {
 Input open_input(const std::filesystem::path& path, const Settings& settings,
                  Demand demand = Demand::any_field);
 
+/// The mesh to draw: INPUT itself, or `part` for a saved field. Ends the program (Stop) if that is not its
+/// mesh.
+Mesh drawn_mesh(const std::string& part, const Input& input);
+
 }  // namespace cdfr::command

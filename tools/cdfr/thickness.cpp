@@ -7,7 +7,6 @@
 #include <string>
 
 #include "byte_sink.h"
-#include "cdfr/mesh/read.h"
 #include "choice_option.h"
 #include "input.h"
 #include "number_option.h"
@@ -52,18 +51,6 @@ void check_arguments(const Arguments& arguments) {
   if (!request.output.empty()) check_target(request.output, {".csv", ".npy", ".ply", ".glb", ".vtp"});
 }
 
-/// The mesh to paint: INPUT itself, or --part for a saved field.
-Mesh painted_mesh(const ThicknessRequest& request, const Input& input) {
-  Mesh mesh = !request.part.empty() ? need(read_mesh(request.part), request.part)
-              : input.mesh          ? *input.mesh
-                                    : Mesh();
-  if (mesh.triangles.empty())
-    stop_usage("a saved field is painted on --part MESH: it keeps no vertices by file order");
-  if (mesh.triangles.size() != input.field.report().triangles)
-    stop_failed(request.part, "not the field's mesh: it has another number of triangles");
-  return mesh;
-}
-
 void write_output(const ThicknessRequest& request, const Mesh& part, const Input& input,
                   const ThicknessFinding& finding) {
   if (request.output.empty()) return;
@@ -80,7 +67,7 @@ void write_output(const ThicknessRequest& request, const Mesh& part, const Input
 ThicknessFinding measure(const ThicknessRequest& request, const Input& input, const Input* former) {
   const auto start = std::chrono::steady_clock::now();
   const bool paints = !request.output.empty() && is_painted(request.output);
-  const Mesh part = paints ? painted_mesh(request, input) : Mesh();
+  const Mesh part = paints ? drawn_mesh(request.part, input) : Mesh();
   Steering steering(request.settings, "measuring");
   steering.share(0, former != nullptr ? 0.5 : 1);
   ThicknessFinding finding;
