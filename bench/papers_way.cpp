@@ -53,14 +53,13 @@ Vec3 centre_of(const Box& b) { return {(b.lo.x + b.hi.x) / 2, (b.lo.y + b.hi.y) 
 /// Sub-voxels whose half diagonal is below the tolerance.
 std::vector<Straddling> straddling_leaves(const Field& field, double distance, double tolerance) {
   std::vector<Straddling> found;
-  for (std::size_t i = 0; i < field.leaf_count(); ++i) {
-    Leaf leaf = field.leaf(i);
+  field.for_each_leaf([&](const Leaf& leaf) {
     const double size = leaf.box.hi.x - leaf.box.lo.x, half_diagonal = half_diagonal_of_unit * size;
-    if (std::fabs(field.distance(centre_of(leaf.box)) - distance) > half_diagonal) continue;
+    if (std::fabs(field.distance(centre_of(leaf.box)) - distance) > half_diagonal) return;
     const double along = std::floor(half_diagonal / tolerance) + 1;
     const double pairs = along * along * along * static_cast<double>(leaf.triangles.size());
-    found.push_back({std::move(leaf), pairs});
-  }
+    found.push_back({leaf, pairs});
+  });
   return found;
 }
 

@@ -14,6 +14,7 @@
 #include "field/build_field.h"
 #include "field/cut_field.h"
 #include "field/deepest.h"
+#include "field/domain.h"
 #include "field/field_data.h"
 #include "field/grid_query.h"
 #include "field/leaves.h"
@@ -28,6 +29,19 @@ namespace {
 constexpr std::size_t batch_chunk = 2048;
 /// Fewer points are not worth an order; more are taken in rounds of so many, whose order takes 50 MB.
 constexpr std::size_t least_ordered = std::size_t{1} << 14, most_ordered = std::size_t{1} << 22;
+
+Leaf leaf_at(const FieldData& field, const Block& block, const Cell& cell, std::uint32_t number) {
+  Leaf leaf;
+  leaf.key = key_of(cell);
+  leaf.level = cell.level;
+  leaf.box = field.tree.lattice.box(cell);
+  leaf.side = block.leaves[number].side();
+  for (const std::uint32_t slot : slots_of(field, block, block.leaves[number])) {
+    leaf.triangles.push_back(field.triangles.records[slot].number);
+  }
+  std::sort(leaf.triangles.begin(), leaf.triangles.end());
+  return leaf;
+}
 
 /// x[first] .. x[first + count - 1], in the order in which they are answered best.
 template <class Answer>
@@ -146,20 +160,20 @@ Leaf Field::leaf(std::size_t i) const {
   const std::size_t block_number = data_->tree.block_of_leaf(i);
   const Block block = data_->tree.block(block_number);
   const std::uint64_t first = data_->tree.starts[block_number].leaf;
-  const LeafRecord& record = block.leaves[i - first];
   Leaf leaf;
-  for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
-    if (first + number != i) return;
-    leaf.key = key_of(cell);
-    leaf.level = cell.level;
-    leaf.box = data_->tree.lattice.box(cell);
+  cdfr::for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
+    if (first + number == i) leaf = leaf_at(*data_, block, cell, number);
   });
-  leaf.side = record.side();
-  for (const std::uint32_t slot : slots_of(*data_, block, record)) {
-    leaf.triangles.push_back(data_->triangles.records[slot].number);
-  }
-  std::sort(leaf.triangles.begin(), leaf.triangles.end());
   return leaf;
+}
+
+void Field::for_each_leaf(const std::function<void(const Leaf&)>& visit) const {
+  for (std::size_t i = 0; i < data_->tree.block_count(); ++i) {
+    const Block block = data_->tree.block(i);
+    cdfr::for_each_leaf(block, [&](const Cell& cell, std::uint32_t number) {
+      if (!is_left_out(*data_, block, block.leaves[number])) visit(leaf_at(*data_, block, cell, number));
+    });
+  }
 }
 
 }  // namespace cdfr

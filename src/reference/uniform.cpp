@@ -26,7 +26,7 @@ Result<VoxelGrid> grid_for(const Box& mesh, const UniformOptions& options) {
   if (!(longest > 0)) return bad_option("a mesh of no size has no uniform field");
   VoxelGrid grid;
   grid.size = longest / options.resolution;
-  const double before = options.border * grid.size;
+  const double before = (options.border + (options.voxels == UniformVoxels::points ? 0.5 : 0.0)) * grid.size;
   grid.origin = {mesh.lo.x - before, mesh.lo.y - before, mesh.lo.z - before};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // The longest side is to have `resolution` voxels whichever way the quotient rounds.
@@ -55,6 +55,7 @@ Result<UniformData> build_data(MeshView mesh, const UniformOptions& options, Pro
   data.grid = *grid;
   data.surface = reference_surface(mesh);
   if (const Result<void> done = voxelise(data, progress); !done) return done.error();
+  if (options.voxels == UniformVoxels::points) drop_outside_points(data);
   flood_outside(data);
   if (const Result<void> done = propagate(data, progress); !done) return done.error();
   return data;

@@ -7,6 +7,7 @@
 
 #include "geometry/point_triangle.h"
 #include "geometry/triangle_box.h"
+#include "reference/base_triangle.h"
 #include "reference/uniform_data.h"
 
 namespace cdfr {
@@ -16,7 +17,7 @@ Box grown(const Box& box, double by) noexcept {
   return {{box.lo.x - by, box.lo.y - by, box.lo.z - by}, {box.hi.x + by, box.hi.y + by, box.hi.z + by}};
 }
 
-/// Places that the triangle's box reaches, one more on each side.
+/// Places that the triangle's box reaches, one more on each side: all whose point is less than 3/2 voxels from it.
 std::array<std::array<int, 2>, 3> range_of(const VoxelGrid& grid, const std::array<Vec3, 3>& corners) {
   const auto along = [&](double Vec3::*axis, std::size_t a) {
     const auto [lo, hi] = std::minmax({corners[0].*axis, corners[1].*axis, corners[2].*axis});
@@ -72,10 +73,13 @@ Result<void> voxelise(UniformData& data, Progress& progress) {
       if (!progress.poll()) return Progress::error();
       for (p[1] = y[0]; p[1] <= y[1]; ++p[1]) {
         for (p[0] = x[0]; p[0] <= x[1]; ++p[0]) {
-          if (!may_touch(corners, grown(grid.box(p), grid.slack))) continue;
+          const bool near = data.options.voxels == UniformVoxels::points;
+          if (!near && !may_touch(corners, grown(grid.box(p), grid.slack))) continue;
+          const CddTuple tuple = cdd_tuple(data.surface, grid.centre(p), t);
+          if (near && tuple.distance > grid.size + grid.slack) continue;
           const std::size_t cell = grid.number(p);
           data.sides[cell] = Side::surface;
-          data.lists[cell].push_back(cdd_tuple(data.surface, grid.centre(p), t));
+          data.lists[cell].push_back(tuple);
           ++tuples;
         }
       }
@@ -87,6 +91,16 @@ Result<void> voxelise(UniformData& data, Progress& progress) {
     std::ranges::sort(list, {}, [](const CddTuple& a) { return std::pair(a.distance, a.triangle); });
   }
   return {};
+}
+
+void drop_outside_points(UniformData& data) {
+  for (std::size_t cell = 0; cell < data.lists.size(); ++cell) {
+    if (data.sides[cell] != Side::surface) continue;
+    const Vec3 point = data.grid.centre(data.grid.place(cell));
+    if (closest_among(data.surface, point, data.lists[cell]).distance <= data.grid.slack) continue;
+    data.sides[cell] = Side::outside;
+    if (!data.options.keep_outside) std::vector<CddTuple>().swap(data.lists[cell]);
+  }
 }
 
 }  // namespace cdfr

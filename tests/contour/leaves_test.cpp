@@ -20,14 +20,14 @@ struct Count {
 /// By brute force; leaves within a rounding of the limit may go either way.
 Count leaves_near(const Case& part, double distance) {
   Count count;
-  for (std::size_t i = 0; i < part.field.leaf_count(); ++i) {
-    const Box box = part.field.leaf(i).box;
+  part.field.for_each_leaf([&](const Leaf& leaf) {
+    const Box& box = leaf.box;
     const Vec3 centre{box.lo.x / 2 + box.hi.x / 2, box.lo.y / 2 + box.hi.y / 2, box.lo.z / 2 + box.hi.z / 2};
     const double size = box.hi.x - box.lo.x;
     const double gap = std::fabs(part.brute.closest(centre).distance - distance) - std::sqrt(3.0) / 2 * size;
     count.surely += gap <= -1e-12;
     count.perhaps += gap <= 1e-12;
-  }
+  });
   return count;
 }
 

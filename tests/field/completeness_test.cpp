@@ -78,10 +78,7 @@ TEST(Completeness, NeighboursHaveNothingToAdd) {
     options.max_level = 2;
     const Field field = Field::build(m.mesh.view(), options).value();
     std::map<std::uint64_t, Leaf> leaves;
-    for (std::size_t i = 0; i < field.leaf_count(); ++i) {
-      Leaf leaf = field.leaf(i);
-      leaves.emplace(leaf.key, std::move(leaf));
-    }
+    field.for_each_leaf([&](const Leaf& leaf) { leaves.emplace(leaf.key, leaf); });
     const BruteForce brute = BruteForce::over(m.mesh.view(), Sign::none).value();
     test::Random random(8);
     int gained = 0, tried = 0;

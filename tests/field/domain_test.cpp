@@ -82,6 +82,27 @@ TEST(Domain, LeavesOutWhatItSays) {
   }
 }
 
+/// In order, whole, and without those that are left out.
+TEST(Domain, LeavesAreVisitedAsTheyAreCounted) {
+  const Mesh mesh = test::sphere_mesh(4);
+  for (const BuildOptions& options : options_of_each()) {
+    const Field field = Field::build(mesh.view(), options).value();
+    const Stats stats = field.stats();
+    std::size_t next = 0, seen = 0;
+    field.for_each_leaf([&](const Leaf& leaf) {
+      while (next < field.leaf_count() && field.leaf(next).key != leaf.key) ++next;
+      ASSERT_LT(next, field.leaf_count());
+      const Leaf one = field.leaf(next);
+      EXPECT_EQ(leaf.box, one.box);
+      EXPECT_EQ(leaf.side, one.side);
+      EXPECT_EQ(leaf.triangles, one.triangles);
+      ++seen;
+    });
+    EXPECT_EQ(seen,
+              stats.inside_leaves + stats.surface_leaves + stats.outside_leaves + stats.undecided_leaves);
+  }
+}
+
 /// Also where cells are left out.
 TEST(Domain, ContoursAreWhole) {
   const Mesh mesh = test::sphere_mesh(3);

@@ -39,8 +39,8 @@ TEST(UniformOptions, AreRefusedByName) {
     EXPECT_EQ(refused(cube, options), Code::bad_option) << border;
   }
   UniformOptions large;
-  large.resolution = 256;
-  EXPECT_EQ(refused(cube, large), Code::bad_option) << "258^3 voxels";
+  large.resolution = 512;
+  EXPECT_EQ(refused(cube, large), Code::bad_option) << "514^3 voxels";
 }
 
 TEST(UniformOptions, MeshesThatHaveNoFieldAreRefusedByName) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -111,10 +112,12 @@ class CDFR_API Field {
   /// trip.
   std::uint64_t checksum() const;
 
-  /// Leaves in Morton order. `leaf(i)` allocates; precondition i < leaf_count(). For pictures, solvers and
-  /// tests.
+  /// Leaves in Morton order, for pictures, solvers and tests; those that the domain leaves out are among them.
+  /// Precondition: i < leaf_count(). O(leaves of its block, and its list): for one or a few.
   std::size_t leaf_count() const noexcept;
   Leaf leaf(std::size_t i) const;
+  /// All of them one after another, but for those that the domain leaves out. O(leaves and their lists).
+  void for_each_leaf(const std::function<void(const Leaf&)>& visit) const;
 
   /// For the rooms of the library.
   const FieldData& data() const noexcept { return *data_; }

@@ -27,6 +27,17 @@ struct CddTuple {
   friend bool operator==(const CddTuple&, const CddTuple&) = default;
 };
 
+/// What a voxel is, and which ones are surface voxels.
+enum class UniformVoxels : std::uint8_t {
+  /// The space between eight points of the lattice; a surface voxel is one that a triangle touches.
+  cells,
+  /// The space around a point of the lattice, on which the lowest corner of the mesh's box lies; a surface voxel's
+  /// point is at most a voxel away from a triangle, and not outside by the paper's sign; such triangles are its list.
+  /// That is what the counts of inner voxels in the paper's tables show (papers/huang-2001/README.md). Beside the
+  /// surface, where voxels are dropped that reach inside, these lists are not complete.
+  points,
+};
+
 struct UniformOptions {
   /// Voxels along the longest side of the mesh's box, 1 to 512.
   int resolution = 32;
@@ -37,11 +48,12 @@ struct UniformOptions {
   /// The paper's text lets every voxel that is kept take over from its neighbours; false leaves a surface
   /// voxel with the triangles that touch it and no others, which is incomplete.
   bool surface_inherits = true;
+  UniformVoxels voxels = UniformVoxels::cells;
 };
 
 /// Most voxels of a grid (about 50 bytes each), and most tuples of all lists together after a round (16
 /// bytes).
-inline constexpr std::uint64_t most_uniform_cells = std::uint64_t{1} << 24;
+inline constexpr std::uint64_t most_uniform_cells = std::uint64_t{1} << 27;
 inline constexpr std::uint64_t most_uniform_tuples = std::uint64_t{1} << 27;
 
 struct UniformStats {
@@ -75,8 +87,8 @@ class CDFR_API UniformField {
   std::size_t cell_count() const noexcept;
   /// Edge of a voxel.
   double voxel() const noexcept;
-  /// Precondition of what follows: cell < cell_count(). Surface: a triangle touches it; outside: the flood
-  /// reached it; inside: all others, shut cavities included.
+  /// Precondition of what follows: cell < cell_count(). Surface: as UniformVoxels has it; outside: the flood
+  /// reached it, or it would be a surface voxel but for its sign; inside: all others, shut cavities included.
   Side side(std::size_t cell) const noexcept;
   Box box(std::size_t cell) const noexcept;
   /// Ascending by distance, then number; empty for a voxel that was dropped.
