@@ -27,18 +27,6 @@ constexpr double face = 0, deck = 9, roof = 18, port_floor = 31, port_low = 40, 
 constexpr double chamber = 42, valve = 13, stem = 3.5, bolt = 6, boss = 15;
 constexpr double valve_offset = 18, port_half = 18, shaft_offset = 48;
 
-/// Collects the steps of the recipe.
-struct Recipe {
-  std::vector<Step> steps;
-
-  void fill(Outline outline, double low, double high) {
-    steps.push_back({std::move(outline), low, high, true});
-  }
-  void empty(Outline outline, double low, double high) {
-    steps.push_back({std::move(outline), low, high, false});
-  }
-};
-
 /// The four valves of a cylinder: intake ports open to y = 0, exhaust ports to y = width.
 std::array<Vec3, 4> valves(double x) {
   return {{{x - valve_offset, middle - valve_offset, 0},
