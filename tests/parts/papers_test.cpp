@@ -48,7 +48,8 @@ TEST_P(PapersPart, IsAsDeepAsPrinted) {
 INSTANTIATE_TEST_SUITE_P(
     Papers, PapersPart,
     testing::Values(Printed{"connector", 328, {6.9, 2.0, 2.9}, 0.5, 0.5, 8.3},
-                    Printed{"brevi", 1812, {38.1, 34.9, 96.0}, 13, 13, 72700}));
+                    Printed{"brevi", 1812, {38.1, 34.9, 96.0}, 13, 13, 72700},
+                    Printed{"cylinder-head", 135430, {480, 266, 157}, 9.5, 9.5, 40e6 / 7.2}));
 
 }  // namespace
 }  // namespace cdfr
