@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <tuple>
 #include <utility>
 
@@ -15,13 +15,7 @@ namespace {
 
 /// The steps' heights, and equal parts between them.
 std::vector<double> make_levels(std::span<const Step> steps, double layer) {
-  std::vector<double> heights;
-  for (const Step& step : steps) {
-    heights.push_back(step.low);
-    heights.push_back(step.high);
-  }
-  std::sort(heights.begin(), heights.end());
-  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  const std::vector<double> heights = heights_of(steps);
   std::vector<double> levels{heights.front()};
   for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
     const double gap = heights[i + 1] - heights[i];
@@ -29,7 +23,6 @@ std::vector<double> make_levels(std::span<const Step> steps, double layer) {
     for (int k = 1; k < parts; ++k) levels.push_back(heights[i] + gap * k / parts);
     levels.push_back(heights[i + 1]);
   }
-  assert(levels.size() <= 65);
   return levels;
 }
 
@@ -38,10 +31,7 @@ std::vector<std::uint64_t> fill_cells(const Plan& plan, std::span<const Step> st
                                       const std::vector<double>& levels) {
   std::vector<std::uint64_t> masks(plan.triangles.size(), 0);
   for (const Step& step : steps) {
-    std::uint64_t layers = 0;
-    for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
-      if (levels[k] >= step.low && levels[k] < step.high) layers |= std::uint64_t{1} << k;
-    }
+    const std::uint64_t layers = layers_of(step, levels);
     for (std::size_t t = 0; t < masks.size(); ++t) {
       const auto [a, b, c] = plan.triangles[t];
       if (!holds_middle(step.outline, plan.points[a], plan.points[b], plan.points[c])) continue;

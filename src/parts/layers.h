@@ -3,21 +3,12 @@
 /// construction, and it is embedded as long as the levels keep their order over every point of the plan.
 #pragma once
 
-#include <cstdint>
 #include <span>
-#include <vector>
 
 #include "cdfr/mesh/mesh.h"
-#include "parts/outline.h"
+#include "parts/recipe.h"
 
 namespace cdfr {
-
-/// One step of a recipe: fills or empties an outline between two heights, over what earlier steps left there.
-struct Step {
-  Outline outline;
-  double low = 0, high = 0;
-  bool solid = true;
-};
 
 struct LayerOptions {
   double spacing = 5;  ///< length of triangle sides in the plan, mm

@@ -9,7 +9,10 @@ namespace cdfr {
 Mesh cube();
 Mesh tetrahedron();
 Mesh one_tooth();
+Mesh two_ended_tooth();
 Mesh six_star();
+Mesh connector();
+Mesh brevi();
 Mesh cylinder_head();
 
 }  // namespace cdfr

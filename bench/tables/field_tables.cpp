@@ -1,0 +1,113 @@
+#include "tables/field_tables.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <map>
+
+#include "malloc_bytes.h"
+#include "processor_time.h"
+#include "rounds.h"
+#include "tables/ways.h"
+
+namespace cdfr::bench {
+namespace {
+
+/// Longer ones are timed once.
+constexpr double long_build = 5;
+
+struct Measured {
+  ListCounts lists;
+  double bytes = 0;
+  Rounds seconds;
+};
+
+template <class Build>
+void measure(Build build, Measured& measured) {
+  const auto before = static_cast<double>(malloc_bytes());
+  const double start = processor_seconds();
+  const auto field = build();
+  measured.seconds.push_back(processor_seconds() - start);
+  if (!field) {
+    std::fprintf(stderr, "bench: %s\n", field.error().text.c_str());
+    return;
+  }
+  measured.bytes = static_cast<double>(malloc_bytes()) - before;
+  if (measured.seconds.size() == 1) measured.lists = lists_of(*field);
+}
+
+void measure(Way way, const VoxelMesh& mesh, Measured& measured) {
+  if (way == Way::uniform) return measure([&] { return build_uniform(mesh); }, measured);
+  measure([&] { return build_octree(way, mesh); }, measured);
+}
+
+CsvRow row_of(const FieldCase& which, Way way, const Measured& measured, bool timed) {
+  const ListCounts& lists = measured.lists;
+  CsvRow row{{"table", which.table},
+             {"part", which.subject.name},
+             {"resolution", std::to_string(which.resolution)},
+             {"way", name_of(way)},
+             {"inside", fixed(lists.inside, 0)},
+             {"surface", fixed(lists.surface, 0)},
+             {"outside", fixed(lists.outside, 0)},
+             {"surface_mean", fixed(lists.surface_mean, 3)},
+             {"inside_mean", fixed(lists.inside_mean, 3)},
+             {"stated_kb", fixed(lists.stated_bytes / 1000, 1)}};
+  if (timed) {
+    row.emplace_back("real_mb", fixed(measured.bytes / 1e6, 3));
+    row.emplace_back("build_ms", fixed(1000 * median(measured.seconds), 2));
+  }
+  return row;
+}
+
+}  // namespace
+
+Csv part_table() {
+  Csv table;
+  const auto add = [&](const Subject& subject, CsvRow row) {
+    const std::optional<Mesh> mesh = mesh_of(subject);
+    if (!mesh) return;
+    const Field field = Field::build(mesh->view()).value();
+    const Box box = field.bounds();
+    const Deepest deepest = field.deepest().value();
+    row.insert(row.end(), {{"triangles", std::to_string(mesh->triangles.size())},
+                           {"x", fixed(box.hi.x - box.lo.x, 3)},
+                           {"y", fixed(box.hi.y - box.lo.y, 3)},
+                           {"z", fixed(box.hi.z - box.lo.z, 3)},
+                           {"depth", fixed(deepest.depth, 4)}});
+    table.add(row);
+  };
+  for (const PaperPart& p : paper_parts()) {
+    const auto known = [](double x) { return x > 0 ? fixed(x, 2) : ""; };
+    add({p.name}, {{"part", p.name},
+                   {"paper_triangles", p.triangles > 0 ? std::to_string(p.triangles) : ""},
+                   {"paper_x", known(p.x)},
+                   {"paper_y", known(p.y)},
+                   {"paper_z", known(p.z)},
+                   {"paper_depth", known(p.depth)}});
+  }
+  for (const Subject& subject : real_parts()) add(subject, {{"part", subject.name}});
+  return table;
+}
+
+Csv field_table(const std::vector<FieldCase>& cases, int rounds) {
+  Csv table;
+  for (const FieldCase& which : cases) {
+    const std::optional<Mesh> part = mesh_of(which.subject);
+    if (!part) continue;
+    std::fprintf(stderr, "table %s: %s %d\n", which.table.c_str(), which.subject.name.c_str(),
+                 which.resolution);
+    const VoxelMesh mesh = in_voxels(*part, which.resolution);
+    std::map<Way, Measured> measured;
+    for (int round = 0; round < std::max(rounds, 1); ++round) {
+      for (const Way way : all_ways) {
+        const Rounds& known = measured[way].seconds;
+        if (known.empty() || known.front() < long_build) measure(way, mesh, measured[way]);
+      }
+    }
+    for (const Way way : all_ways) table.add(row_of(which, way, measured[way], rounds > 0));
+  }
+  return table;
+}
+
+}  // namespace cdfr::bench
