@@ -15,7 +15,7 @@
 namespace cdfr {
 
 /// Names that make_part takes: cube, tetrahedron, one-tooth, two-ended-tooth, six-star, connector, brevi,
-/// cylinder-head.
+/// cylinder-head, engine.
 CDFR_API std::span<const std::string_view> part_names() noexcept;
 
 /// The part of that name, or so many copies of it side by side along x as one mesh, the first where the part
