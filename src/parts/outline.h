@@ -7,7 +7,8 @@
 
 namespace cdfr {
 
-inline constexpr double plan_units = 1024;  ///< in a millimetre
+inline constexpr double plan_units =
+    1024;  ///< in a unit of the recipe: a millimetre, if it does not say another
 
 PlanPoint plan_point(double x, double y) noexcept;
 
