@@ -7,8 +7,8 @@
 
 namespace cdfr {
 
-inline constexpr double plan_units =
-    1024;  ///< in a unit of the recipe: a millimetre, if it does not say another
+/// In a unit of the recipe, which is a millimetre if it does not say another.
+inline constexpr double plan_units = 1024;
 
 PlanPoint plan_point(double x, double y) noexcept;
 

@@ -10,8 +10,8 @@ struct Rise {
   double level = 0, by = 0;
 };
 
-/// The height z after the rises, on the plan's grid. Precondition: they are given by ascending levels, the
-/// first at most z, the last above z or at z.
+/// The height z after the rises, on the plan's grid. Precondition: their levels ascend, from z or below it to
+/// z or above it.
 double risen(double z, std::span<const Rise> rises) noexcept;
 
 /// 1 up to `from`, 0 beyond `to`.

@@ -1,7 +1,8 @@
 /// The made parts: closed, outward oriented, embedded meshes of known dimensions, for tables, demos and
 /// tests. They have the triangles, boxes and greatest depths that papers/huang-2001 and
-/// papers/huang-2001-report print. The papers' own parts are not public, and these stand in for them; all but
-/// cube, tetrahedron, one-tooth and six-star share no more than those numbers with them.
+/// papers/huang-2001-report print, but one triangle more where a closed mesh cannot have the number, and for
+/// the two-ended tooth nothing is printed. The papers' own parts are not public, and these stand in for them;
+/// beyond cube, tetrahedron, one-tooth and six-star they share little more than those numbers with them.
 #pragma once
 
 #include <cstdint>
