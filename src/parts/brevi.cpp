@@ -40,9 +40,9 @@ Recipe brevi_recipe() {
 /// pockets from both, 72,351 in volume and 21,466 in area. Theirs had about 72,700 and 18,000 to 20,000,
 /// judged by the voxels of table 4.
 ///
-/// Triangles (build_terraces): walls of 8 (body), 2 * 8 (flanges), 16 * (12 + 12) (bolts and spot faces), 2 *
-/// 8 (core and pocket), 6 (socket) and 2 * 4 (side pockets) sides make 438, and 16 holes go through: 4 * (438
-/// + 16 - 1).
+/// Triangles (build_terraces): walls of 8 (body), 2 * 8 (flanges), 16 * (12 + 12) (bolts and spot faces),
+/// 2 * 8 (core and pocket), 6 (socket) and 2 * 4 (side pockets) sides make 438, and 16 holes go through:
+/// 4 * (438 + 16 - 1).
 ///
 /// Depth: between the flanges the way out along y is at most half of the body's 260, and in the flanges the
 /// way out along z is at most 80. A ball of 130 fits in the middle between core and pocket, at heights from

@@ -30,18 +30,17 @@ Recipe connector_recipe() {
 
 /// papers/huang-2001, table 1 and section 5.3; papers/huang-2001-report, section 6: box (6.9, 2.0, 2.9),
 /// greatest depth 0.50, 327 triangles, of which a closed mesh cannot have an odd number. Theirs is not
-/// public. This one stands in for it: a housing with a flange, contacts and a guide post, 328
-/// triangles, 7.716 in volume and 51.47 in area. Theirs had about 8.3 and 45, judged by the voxels of
-/// table 4.
+/// public. This one stands in for it: a housing with a flange, contacts and a guide post, 328 triangles,
+/// 7.716 in volume and 51.47 in area. Theirs had about 8.3 and 45, judged by the voxels of table 4.
 ///
 /// Triangles (build_terraces): walls of 2 * 6 (body, below and above the flange), 12 (flange), 2 * 12 (its
-/// holes), 3 * 4 (cavities), 3 * 4 (pins) and 6 (post) sides make 78, and 5 holes go through: 4 * (78 + 5 -
-/// 1).
+/// holes), 3 * 4 (cavities), 3 * 4 (pins) and 6 (post) sides make 78, and 5 holes go through:
+/// 4 * (78 + 5 - 1).
 ///
 /// Depth: at the heights of the flange, 28, the body, 96 wide, ends in four inner edges along x, which come
 /// nearer to each other where its corners are cut. No place between them is farther than 50 from the nearest,
 /// for 48^2 + 14^2 = 50^2, and around (380, 100, 54) a ball of 50 touches all four: the cavities are 70 off,
-/// the bottom 54. Everywhere else the way out along y is 48 at most, 45 in the post, or 14 along z in the
+/// the bottom 54. Everywhere else the way out is 48 at most along y, 45 in the post, or 14 along z in the
 /// flange.
 Mesh connector() { return build_terraces(connector_recipe().steps, 100); }
 

@@ -7,6 +7,7 @@
 
 #include "parts/layers.h"
 #include "parts/made_parts.h"
+#include "parts/rise.h"
 
 namespace cdfr {
 namespace {
@@ -159,21 +160,14 @@ std::vector<Step> recipe_steps() {
   return std::move(recipe.steps);
 }
 
-/// 1 up to `from`, 0 beyond `to`.
-double fade(double value, double from, double to) { return std::clamp((to - value) / (to - from), 0.0, 1.0); }
-
-double half_chord(double radius, double offset) {
-  return std::sqrt(std::max(0.0, radius * radius - offset * offset));
-}
-
 /// How far the recipe's storeys rise over a point of the plan, so that chambers are domed, ports oval and
 /// rising outward, core holes round and cam bearings hollow.
-struct Rise {
+struct Storeys {
   double dome = 0, port_floor = 0, port_roof = 0, bearing = 0;
 };
 
-Rise rise_at(double x, double y) {
-  Rise rise;
+Storeys storeys_at(double x, double y) {
+  Storeys rise;
   for (const double cylinder : cylinders) {
     const double across = std::abs(x - cylinder);
     const double along = std::abs(y - middle);
@@ -197,29 +191,20 @@ Rise rise_at(double x, double y) {
 }
 
 double lift(double x, double y, double z) noexcept {
-  const Rise rise = rise_at(x, y);
-  const std::array<std::array<double, 2>, 11> anchors{{{level::face, 0},
-                                                       {level::deck, rise.dome},
-                                                       {level::roof, rise.dome},
-                                                       {level::port_floor, rise.port_floor},
-                                                       {level::port_low, rise.port_floor},
-                                                       {level::port_high, rise.port_roof},
-                                                       {level::port_roof, rise.port_roof},
-                                                       {level::oil_floor, 0},
-                                                       {level::guide_top, 0},
-                                                       {level::bearing, rise.bearing},
-                                                       {level::rail, 0}}};
-  std::array<double, 2> low = anchors[0];
-  std::array<double, 2> high{level::top, 0};
-  for (const auto& anchor : anchors) {
-    if (anchor[0] <= z) low = anchor;
-  }
-  for (std::size_t i = anchors.size(); i-- > 0;) {
-    if (anchors[i][0] > z) high = anchors[i];
-  }
-  const double share = (z - low[0]) / (high[0] - low[0]);
-  const double lifted = z + low[1] + share * (high[1] - low[1]);
-  return std::floor(lifted * plan_units + 0.5) / plan_units;
+  const Storeys rise = storeys_at(x, y);
+  const std::array<Rise, 12> rises{{{level::face, 0},
+                                    {level::deck, rise.dome},
+                                    {level::roof, rise.dome},
+                                    {level::port_floor, rise.port_floor},
+                                    {level::port_low, rise.port_floor},
+                                    {level::port_high, rise.port_roof},
+                                    {level::port_roof, rise.port_roof},
+                                    {level::oil_floor, 0},
+                                    {level::guide_top, 0},
+                                    {level::bearing, rise.bearing},
+                                    {level::rail, 0},
+                                    {level::top, 0}}};
+  return risen(z, rises);
 }
 
 }  // namespace

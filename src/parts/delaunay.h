@@ -8,7 +8,7 @@
 
 namespace cdfr {
 
-/// A point of the plan, in units of 2^-10 mm: every coordinate is an exact double.
+/// A point of the plan, in units of 2^-10 of the recipe's: every coordinate is an exact double.
 struct PlanPoint {
   std::int64_t x = 0, y = 0;
   friend bool operator==(const PlanPoint&, const PlanPoint&) = default;

@@ -14,5 +14,6 @@ Mesh six_star();
 Mesh connector();
 Mesh brevi();
 Mesh cylinder_head();
+Mesh engine();
 
 }  // namespace cdfr

@@ -7,7 +7,8 @@
 
 namespace cdfr {
 
-inline constexpr double plan_units = 1024;  ///< in a millimetre
+/// In a unit of the recipe, which is a millimetre if it does not say another.
+inline constexpr double plan_units = 1024;
 
 PlanPoint plan_point(double x, double y) noexcept;
 

@@ -10,10 +10,11 @@
 namespace cdfr {
 namespace {
 
-constexpr std::array<std::string_view, 8> names{"cube",     "tetrahedron", "one-tooth", "two-ended-tooth",
-                                                "six-star", "connector",   "brevi",     "cylinder-head"};
-constexpr std::array<Mesh (*)(), names.size()> makers{cube,     tetrahedron, one_tooth, two_ended_tooth,
-                                                      six_star, connector,   brevi,     cylinder_head};
+constexpr std::array<std::string_view, 9> names{"cube",     "tetrahedron", "one-tooth", "two-ended-tooth",
+                                                "six-star", "connector",   "brevi",     "cylinder-head",
+                                                "engine"};
+constexpr std::array<Mesh (*)(), names.size()> makers{
+    cube, tetrahedron, one_tooth, two_ended_tooth, six_star, connector, brevi, cylinder_head, engine};
 
 }  // namespace
 

@@ -1,7 +1,8 @@
 /// The made parts: closed, outward oriented, embedded meshes of known dimensions, for tables, demos and
 /// tests. They have the triangles, boxes and greatest depths that papers/huang-2001 and
-/// papers/huang-2001-report print. The papers' own parts are not public, and these stand in for them; all but
-/// cube, tetrahedron, one-tooth and six-star share no more than those numbers with them.
+/// papers/huang-2001-report print, but one triangle more where a closed mesh cannot have the number, and for
+/// the two-ended tooth nothing is printed. The papers' own parts are not public, and these stand in for them;
+/// beyond cube, tetrahedron, one-tooth and six-star they share little more than those numbers with them.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@
 namespace cdfr {
 
 /// Names that make_part takes: cube, tetrahedron, one-tooth, two-ended-tooth, six-star, connector, brevi,
-/// cylinder-head.
+/// cylinder-head, engine.
 CDFR_API std::span<const std::string_view> part_names() noexcept;
 
 /// The part of that name, or so many copies of it side by side along x as one mesh, the first where the part
