@@ -66,7 +66,7 @@ class ContourRows {
     rows(octree, name_of(Way::octree));
     for (const int fineness : which_.contour_resolutions) {
       const ContourOptions options{tolerance(fineness), Rule::paper};
-      add(fineness, "octree, papers' rule",
+      add(fineness, "octree-paper-rule",
           extract([&](PointSink& sink) { return contour_points(octree, -depth_, options, sink, one_thread()); }));
     }
   }

@@ -5,8 +5,8 @@
 
 namespace cdfr::bench {
 
-/// From 32 to 4096 finest cells a side. A way stops where it is refused, or where its next build would take longer
-/// than `most_seconds`.
+/// From 32 to 4096 finest cells a side. The uniform field stops where it is refused, an octree where its next build
+/// would take longer than `most_seconds`.
 Csv resolution_scaling(double most_seconds);
 
 /// Made parts whose triangles are split into four, up to four times, and many heads in a row: 12 to 5 million

@@ -37,6 +37,7 @@ void Descent::run(const Cube& cube) {
 }
 
 void Descent::finish(const Cube& cube) {
+  missed_.value = -std::numeric_limits<double>::infinity();
   const Sample centre = sample(cube.centre());
   if (!passes(level_, centre.value, cube)) return;
   if (level_.rule == Rule::paper) return put_centre(centre);
@@ -45,6 +46,7 @@ void Descent::finish(const Cube& cube) {
   Stuck stuck{cube, centre, centre};
   // Where the sign jumps, the centre may be above the height, its point on the wrong side.
   if (centre.value >= level_.height) stuck.highest.value = -std::numeric_limits<double>::infinity();
+  if (missed_.value > stuck.highest.value) stuck.highest = missed_;
   halve(cube, most_halvings, stuck);
   if (stuck.found || stuck.excluded || put_from_highest(stuck)) return;
   ++counts_.undecided;
@@ -80,7 +82,11 @@ bool Descent::put_along(const Sample& at, const Vec3& along, const Cube& within)
   const Eigen::Vector3d direction = to_eigen(along);
   const double hair = 2 * level_.rounding;
   const Sample beyond = sample(from_eigen(foot + direction * (level_.height + hair)));
-  if (beyond.value < level_.height + level_.rounding) return false;
+  if (beyond.value < level_.height) {
+    if (beyond.value > missed_.value) missed_ = beyond;
+    return false;
+  }
+  if (beyond.value < level_.height + level_.rounding) return put_between(at, beyond, within);
   return put(from_eigen(foot + direction * level_.height), at, hair + level_.rounding, within);
 }
 
@@ -103,6 +109,7 @@ bool Descent::try_sample(const Vec3& x, Stuck& stuck) {
   if (at.value < level_.height && at.value > stuck.highest.value) stuck.highest = at;
   const bool crosses = stuck.centre.value < level_.height && at.value >= level_.height;
   stuck.found = put_point(at, stuck.cube) || (crosses && put_between(stuck.centre, at, stuck.cube));
+  if (missed_.value > stuck.highest.value) stuck.highest = missed_;
   return stuck.found;
 }
 
@@ -160,8 +167,9 @@ void Descent::halve(const Cube& piece, int times, Stuck& stuck) {
   const double most = distance_above(field_, piece.lo, piece.size) + level_.rounding;
   if (most < level_.height) return;
   if (try_corners(piece, stuck)) return;
-  // No sample can tell a largest value from the height by less than rounding.
-  const bool hopeless = most - stuck.highest.value < 4 * level_.rounding;
+  // No sample can tell a largest value from the height by less than rounding. A sample that was to reach the height
+  // and crossed a medial sheet just there is below it by as much again, and by the hair that it was moved farther.
+  const bool hopeless = most - stuck.highest.value < 8 * level_.rounding;
   if (times == 0 || hopeless || stuck.trials >= most_trials) {
     stuck.excluded = false;
     return;

@@ -87,6 +87,7 @@ class Descent {
   const Level& level_;
   std::vector<ContourPoint>& points_;
   DescentCounts counts_;
+  Sample missed_;  ///< in this cube, the highest one that was moved to the height and did not reach it
 };
 
 }  // namespace cdfr

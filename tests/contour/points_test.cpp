@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "cdfr/parts/part.h"
@@ -59,6 +60,20 @@ TEST(ContourPoints, OfACubeInsideAndOutside) {
 TEST(ContourPoints, OfACubeOnTheLatticeItself) {
   const Case cube(test::box_mesh({{0, 0, 0}, {1, 1, 1}}));
   for (const double distance : {-0.375, -0.25, -0x1p-10, 0.0, 0.25}) check(cube, distance, 0x1p-4);
+}
+
+/// The contour is the plate's middle sheet, or is not there, as the last bits have it. No sample can tell, so none
+/// should be looked for.
+TEST(ContourPoints, AtTheDepthOfAMedialSheetTakeFewDistances) {
+  for (const double at : {0.0, 0.1, 1.0 / 3, 1e3 / 7}) {
+    const Case plate(test::box_mesh({{at, 0.2, 0.3}, {at + 1.0 / 7, 4.3, 5.1}}));
+    const double depth = -plate.brute.closest({at + 0.5 / 7, 2, 2}).distance;
+    for (int step = -20; step <= 20; ++step) {
+      const double t = depth + step * 0x1p-52 * (at + 1);
+      const ContourReport report = test::contour_of(plate.field, -t, 0.6).report;
+      EXPECT_LT(report.evaluations, 1000 * std::max<std::uint64_t>(report.points, 100)) << at << " " << step;
+    }
+  }
 }
 
 TEST(ContourPoints, OfATwoDegreeWedge) {
