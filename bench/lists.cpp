@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <set>
 #include <string>
 
 #include "arguments.h"
@@ -14,6 +13,7 @@
 #include "models.h"
 #include "random.h"
 #include "table.h"
+#include "winners.h"
 
 namespace cdfr::bench {
 namespace {
@@ -21,24 +21,6 @@ namespace {
 using benchmark::State;
 
 constexpr std::size_t most_leaves = 400;
-/// Points a leaf, along each axis: the corners, and a lattice between them.
-constexpr int points_along = 12;
-
-/// Triangles that are the closest one of some sample in the box. No rule can leave them out; a finer lattice
-/// finds more, so this is a lower bound of the least complete list.
-std::size_t winners(const Field& field, const Box& box) {
-  std::set<std::uint32_t> found;
-  const auto at = [](double lo, double hi, int i) { return lo + (hi - lo) * i / (points_along - 1); };
-  for (int z = 0; z < points_along; ++z) {
-    for (int y = 0; y < points_along; ++y) {
-      for (int x = 0; x < points_along; ++x) {
-        const Vec3 p{at(box.lo.x, box.hi.x, x), at(box.lo.y, box.hi.y, y), at(box.lo.z, box.hi.z, z)};
-        found.insert(field.closest(p).triangle);
-      }
-    }
-  }
-  return found.size();
-}
 
 void count_lists(State& state, const std::string& rule, const Stats& stats) {
   state.counters[rule + "_leaves"] = static_cast<double>(stats.inside_leaves + stats.surface_leaves +

@@ -101,6 +101,24 @@ def fields_section(fields: list, ours: list) -> str:
     return text
 
 
+def reproduced_section(fields: list) -> str:
+    rows = []
+    for r in fields:
+        if r["way"] != "paper":
+            continue
+        own = find(fields, part=r["part"], resolution=r["resolution"], way="uniform")
+        printed = dict(r)
+        if (r["part"], r["resolution"]) == ("connector", "256"):
+            printed["inside"] = "306900"
+        rows.append([f"{r['part']} {r['resolution']}"] +
+                    [f"{100 * (float(own[c]) / float(printed[c]) - 1):+.0f} %"
+                     for c in ("inside", "surface", "outside", "surface_mean", "inside_mean", "stated_kb")])
+    return ("## The uniform field against the printed figures\n\nHow far ours is from theirs. The four simple parts are prisms and a cube's "
+            "corner whose counts the papers' shapes must have had too; connector and brevi only stand in. Connector 256 is printed with 30.7 "
+            "thousand inner voxels; its size asks for 306.9, taken here.\n\n" +
+            table(["part", "inside", "surface", "outside", "triangles a surface voxel", "an inside one", "size"], rows))
+
+
 def growth_section(fields: list) -> str:
     rows = []
     for part, coarse, fine in [(p, "32", "64") for p in MADE[:4]] + [(p, "128", "256") for p in MADE[4:] + list(SHORT)[:2]]:
@@ -193,14 +211,16 @@ def targets_section(folder: str, fields: list, contours: list) -> str:
             if r["way"] == "paper":
                 own = find(fields, part=r["part"], resolution=r["resolution"], way="octree-own")
                 if float(own[f"{kind}_mean"]) >= float(r[f"{kind}_mean"]):
-                    above.append(f"{r['part']} {r['resolution']} ({figure(own[f'{kind}_mean'])} for {figure(r[f'{kind}_mean'])})")
-        rows.append([f"triangles a {kind} voxel, octree-own, below the paper's in all 12 rows", "all",
+                    least = own[f"least_{kind}_mean"]
+                    above.append(f"{r['part']} {r['resolution']} ({figure(own[f'{kind}_mean'])} for {figure(r[f'{kind}_mean'])}" +
+                                 (f"; no complete list is below {figure(least)})" if least else ")"))
+        rows.append([f"octree-own: triangles a voxel, {kind}, below the paper's in all 12 rows", "all",
                      "all" if not above else "all but " + ", ".join(above)])
     gains = sorted(float(r["us_point"]) / float(find(contours, part=r["part"], resolution=r["resolution"],
                                                      contour_resolution=r["contour_resolution"], way="octree")["us_point"])
                    for r in contours if r["way"] == "uniform")
-    rows.append(["contours, time a point, uniform / octree of the same finest cell: least, median", "20",
-                 f"{figure(gains[0])}, {figure(gains[len(gains) // 2])}"])
+    rows.append(["contours, time a point, uniform / octree of the same finest cell: median of all rows, least; rows that have 20", "20",
+                 f"{figure(gains[len(gains) // 2])}, {figure(gains[0])}; {sum(g >= 20 for g in gains)} of {len(gains)}"])
     head = find(read(folder, "examples.csv"), part="cylinder-head")
     rows.append(["8.5 mm at 0.137 mm, field included: MiB in all", "at most 256", figure(head["peak_resident_mb"])])
     rows.append(["the same: seconds on one core", "at most 10",
@@ -216,7 +236,7 @@ def plot(folder: str, name: str, rows: list, size: str, series: str, panels: lis
             axis.plot(*zip(*points), "o-", markersize=3, linewidth=0.8, label=one)
         axis.set(title=title, xlabel=size, ylabel=label, xscale="log", yscale="log")
         axis.grid(linewidth=0.3)
-        axis.legend(fontsize=6)
+    axes[0][0].legend(fontsize=6, loc="upper left")
     drawn.tight_layout()
     drawn.savefig(os.path.join(folder, name), metadata={"Date": None})
     plt.close(drawn)
@@ -269,7 +289,7 @@ def main(folder: str) -> None:
     fields = paper_fields() + ours
     contours = read(folder, "contours.csv")
     sections = [HEAD.format(**read(folder, "machine.csv")[0]), targets_section(folder, fields, contours), parts_section(folder),
-                fields_section(fields, ours), growth_section(fields), contours_section(contours), examples_section(folder),
+                fields_section(fields, ours), reproduced_section(fields), growth_section(fields), contours_section(contours), examples_section(folder),
                 scaling_section(folder)]
     with open(os.path.join(folder, "README.md"), "w") as file:
         file.write("\n".join(s.rstrip("\n") + "\n" for s in sections))

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <functional>
 #include <map>
+#include <optional>
 
 #include "malloc_bytes.h"
 #include "processor_time.h"
@@ -20,6 +21,7 @@ struct Measured {
   ListCounts lists;
   double bytes = 0;
   Rounds seconds;
+  std::optional<LeastLists> least;
 };
 
 template <class Build>
@@ -56,6 +58,10 @@ CsvRow row_of(const FieldCase& which, Way way, const Measured& measured, bool ti
   if (timed) {
     row.emplace_back("real_mb", fixed(measured.bytes / 1e6, 3));
     row.emplace_back("build_ms", fixed(1000 * median(measured.seconds), 2));
+    if (measured.least) {
+      row.emplace_back("least_surface_mean", fixed(measured.least->surface_mean, 3));
+      row.emplace_back("least_inside_mean", fixed(measured.least->inside_mean, 3));
+    }
   }
   return row;
 }
@@ -69,7 +75,8 @@ Csv part_table() {
     if (!mesh) return;
     const Field field = Field::build(mesh->view()).value();
     const Box box = field.bounds();
-    const Deepest deepest = field.deepest().value();
+    // First where it is, then how deep to a thousandth of that.
+    const Deepest deepest = field.deepest(field.deepest()->depth / 1000).value();
     row.insert(row.end(), {{"triangles", std::to_string(mesh->triangles.size())},
                            {"x", fixed(box.hi.x - box.lo.x, 3)},
                            {"y", fixed(box.hi.y - box.lo.y, 3)},
@@ -104,6 +111,10 @@ Csv field_table(const std::vector<FieldCase>& cases, int rounds) {
         const Rounds& known = measured[way].seconds;
         if (known.empty() || known.front() < long_build) measure(way, mesh, measured[way]);
       }
+    }
+    // With larger parts it would take longer than all the rest.
+    if (rounds > 0 && which.table != "4") {
+      measured[Way::octree_own].least = least_lists(build_octree(Way::octree_own, mesh).value());
     }
     for (const Way way : all_ways) table.add(row_of(which, way, measured[way], rounds > 0));
   }

@@ -1,5 +1,7 @@
 #include "tables/ways.h"
 
+#include "winners.h"
+
 namespace cdfr::bench {
 namespace {
 
@@ -13,9 +15,9 @@ Run one_thread() {
 struct Weighed {
   double triangles = 0, volume = 0;
 
-  void add(const Leaf& leaf) {
+  void add(const Leaf& leaf, std::size_t count) {
     const double edge = leaf.box.hi.x - leaf.box.lo.x, cube = edge * edge * edge;
-    triangles += cube * static_cast<double>(leaf.triangles.size());
+    triangles += cube * static_cast<double>(count);
     volume += cube;
   }
   double mean() const { return volume > 0 ? triangles / volume : 0; }
@@ -81,8 +83,8 @@ ListCounts lists_of(const Field& field) {
     lists.stated_bytes += 4 * static_cast<double>(leaf.triangles.size()) + 5;
     lists.inside += leaf.side == Side::inside;
     lists.surface += leaf.side == Side::surface;
-    if (leaf.side == Side::inside) inside.add(leaf);
-    if (leaf.side == Side::surface) surface.add(leaf);
+    if (leaf.side == Side::inside) inside.add(leaf, leaf.triangles.size());
+    if (leaf.side == Side::surface) surface.add(leaf, leaf.triangles.size());
   });
   const double dropped = static_cast<double>(field.leaf_count()) - kept;
   lists.stated_bytes += dropped;
@@ -90,6 +92,16 @@ ListCounts lists_of(const Field& field) {
   lists.inside_mean = inside.mean();
   lists.surface_mean = surface.mean();
   return lists;
+}
+
+LeastLists least_lists(const Field& field) {
+  Weighed inside, surface;
+  field.for_each_leaf([&](const Leaf& leaf) {
+    if (leaf.side != Side::inside && leaf.side != Side::surface) return;
+    const std::size_t count = leaf.triangles.size() == 1 ? 1 : winners(field, leaf.box);
+    (leaf.side == Side::inside ? inside : surface).add(leaf, count);
+  });
+  return {inside.mean(), surface.mean()};
 }
 
 }  // namespace cdfr::bench

@@ -42,4 +42,10 @@ ListCounts lists_of(const UniformField& field);
 /// A dropped leaf counts as outside.
 ListCounts lists_of(const Field& field);
 
+/// Means of what no complete list of a voxel can leave out, over surface leaves and inside ones.
+struct LeastLists {
+  double inside_mean = 0, surface_mean = 0;
+};
+LeastLists least_lists(const Field& field);
+
 }  // namespace cdfr::bench

@@ -28,7 +28,7 @@ Code refused(const Mesh& mesh, const UniformOptions& options) {
 TEST(UniformOptions, AreRefusedByName) {
   const Mesh cube = test::box_mesh(unit_box);
   for (const int resolution :
-       {0, -1, 513, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()}) {
+       {0, -1, 65537, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()}) {
     UniformOptions options;
     options.resolution = resolution;
     EXPECT_EQ(refused(cube, options), Code::bad_option) << resolution;

@@ -39,7 +39,7 @@ enum class UniformVoxels : std::uint8_t {
 };
 
 struct UniformOptions {
-  /// Voxels along the longest side of the mesh's box, 1 to 512.
+  /// Voxels along the longest side of the mesh's box, 1 to 65536.
   int resolution = 32;
   /// Layers of voxels around that box, 1 to 64.
   int border = 1;
