@@ -66,8 +66,9 @@ class ContourRows {
     rows(octree, name_of(Way::octree));
     for (const int fineness : which_.contour_resolutions) {
       const ContourOptions options{tolerance(fineness), Rule::paper};
-      add(fineness, "octree-paper-rule",
-          extract([&](PointSink& sink) { return contour_points(octree, -depth_, options, sink, one_thread()); }));
+      add(fineness, "octree-paper-rule", extract([&](PointSink& sink) {
+            return contour_points(octree, -depth_, options, sink, one_thread());
+          }));
     }
   }
 
@@ -77,8 +78,9 @@ class ContourRows {
     for (const int fineness : which_.contour_resolutions) {
       UniformContourOptions options;
       options.tolerance = tolerance(fineness);
-      add(fineness, name_of(Way::uniform),
-          extract([&](PointSink& sink) { return contour_points(*uniform, depth_, options, sink, one_thread()); }));
+      add(fineness, name_of(Way::uniform), extract([&](PointSink& sink) {
+            return contour_points(*uniform, depth_, options, sink, one_thread());
+          }));
     }
   }
 
@@ -88,15 +90,15 @@ class ContourRows {
   void rows(const Field& field, const std::string& way) {
     for (const int fineness : which_.contour_resolutions) {
       const ContourOptions options{tolerance(fineness)};
-      add(fineness, way,
-          extract([&](PointSink& sink) { return contour_points(field, -depth_, options, sink, one_thread()); }));
+      add(fineness, way, extract([&](PointSink& sink) {
+            return contour_points(field, -depth_, options, sink, one_thread());
+          }));
     }
   }
 
   void add(int fineness, const std::string& way, const Extracted& extracted) {
     const double points = std::max(extracted.points, 1.0);
-    table_.add({{"table", which_.table},
-                {"part", which_.subject.name},
+    table_.add({{"part", which_.subject.name},
                 {"depth", fixed(depth_ * mesh_.voxel, 4)},
                 {"resolution", std::to_string(resolution_)},
                 {"contour_resolution", std::to_string(fineness)},
@@ -122,7 +124,7 @@ Csv contour_table(const std::vector<ContourCase>& cases) {
     const std::optional<Mesh> part = mesh_of(which.subject);
     if (!part) continue;
     for (const int resolution : which.field_resolutions) {
-      std::fprintf(stderr, "table %s: %s %d\n", which.table.c_str(), which.subject.name.c_str(), resolution);
+      std::fprintf(stderr, "contours of %s %d\n", which.subject.name, resolution);
       ContourRows rows(which, *part, resolution, table);
       rows.of_octree();
       rows.of_uniform();

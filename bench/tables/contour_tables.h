@@ -6,7 +6,8 @@
 
 namespace cdfr::bench {
 
-/// Each contour from the uniform field, and from octrees by the papers' rule and by cdfr's own. All by one thread.
+/// Each contour from the uniform field, and from octrees by the papers' rule and by cdfr's own. All by one
+/// thread.
 Csv contour_table(const std::vector<ContourCase>& cases);
 
 }  // namespace cdfr::bench

@@ -60,7 +60,7 @@ def paper_fields() -> list:
     for number in ("2", "3", "4"):
         for r in read(os.path.join(PAPERS, "huang-2001"), f"table-{number}.csv"):
             resolution = max(int(r[f"resolution_{axis}"]) for axis in "xyz")
-            rows.append({"table": number, "part": r["model"], "resolution": str(resolution), "way": "paper",
+            rows.append({"part": r["model"], "resolution": str(resolution), "way": "paper",
                          "inside": str(float(r["inside_kvoxels"]) * 1000), "surface": str(float(r["surface_kvoxels"]) * 1000),
                          "outside": str(float(r["outside_kvoxels"]) * 1000), "surface_mean": r["surface_mean_triangles"],
                          "inside_mean": r["inside_mean_triangles"], "stated_kb": r["size_kb"], "real_mb": "",
@@ -72,7 +72,7 @@ def parts_section(folder: str) -> str:
     rows = [[short(r["part"]), ("over " if r["part"] == "engine" else "") + figure(r["paper_triangles"]), figure(r["triangles"]),
              " x ".join(figure(r[f"paper_{a}"]) for a in "xyz") if r["paper_x"] else "",
              " x ".join(figure(r[a]) for a in "xyz"), figure(r["paper_depth"]), figure(r["depth"], 4)]
-            for r in read(folder, "parts.csv")]
+            for r in read(folder, "table-1.csv")]
     return "## Table 1: the parts\n\n" + table(
         ["part", "triangles: paper", "ours", "box: paper", "ours", "greatest depth: paper", "ours"], rows)
 
@@ -88,12 +88,12 @@ def field_rows(fields: list, part: str, resolution: str) -> list:
     return rows
 
 
-def fields_section(fields: list, ours: list) -> str:
+def fields_section(folder: str, fields: list) -> str:
     text = ""
     for number, title in (("2", "fields of resolution 32"), ("3", "fields of resolution 64"),
                           ("4", "fields of the two large parts, and of two real ones")):
         rows = []
-        for part, resolution in dict.fromkeys((r["part"], r["resolution"]) for r in ours if r["table"] == number):
+        for part, resolution in dict.fromkeys((r["part"], r["resolution"]) for r in read(folder, f"table-{number}.csv")):
             rows += field_rows(fields, part, resolution)
         text += f"## Table {number}: {title}\n\n" + table(
             ["part", "way", "inside", "surface", "outside", "triangles a surface voxel", "an inside one",
@@ -159,12 +159,12 @@ def contours_section(contours: list) -> str:
 
 
 def examples_section(folder: str) -> str:
-    rows = [[r["source"], r["part"], r["depth_mm"], r["tolerance_mm"], figure(r["points"]), figure(r["field_ms"]),
+    rows = [[r["source"], short(r["part"]), figure(r["depth"]), figure(r["tolerance"]), figure(r["points"]), figure(r["field_ms"]),
              figure(r["contour_ms"]), figure(r["peak_resident_mb"]), figure(r["paper_plain_volume_gb"]),
              figure(r["paper_contour_s"])] for r in read(folder, "examples.csv")]
     text = ("## The runs of the text\n\nA process each, one thread, the default field: all that the process ever had resident, its "
-            "part and the program included.\n\n" +
-            table(["source", "part", "depth, mm", "tolerance, mm", "points", "field ms", "contour ms", "peak MiB",
+            "part and the program included. Millimetres; the real head has no unit.\n\n" +
+            table(["source", "part", "depth", "tolerance", "points", "field ms", "contour ms", "peak MiB",
                    "plain volume, GB", "paper's contour, s"], rows))
     for r in read(folder, "uniform-engine.csv"):
         text += (f"\nThe same engine by the papers' uniform field of resolution {r['resolution']}: {figure(r['stated_mb'])} MB by their "
@@ -211,7 +211,7 @@ def targets_section(folder: str, fields: list, contours: list) -> str:
             if r["way"] == "paper":
                 own = find(fields, part=r["part"], resolution=r["resolution"], way="octree-own")
                 if float(own[f"{kind}_mean"]) >= float(r[f"{kind}_mean"]):
-                    least = own[f"least_{kind}_mean"]
+                    least = own.get(f"least_{kind}_mean")
                     above.append(f"{r['part']} {r['resolution']} ({figure(own[f'{kind}_mean'])} for {figure(r[f'{kind}_mean'])}" +
                                  (f"; no complete list is below {figure(least)})" if least else ")"))
         rows.append([f"octree-own: triangles a voxel, {kind}, below the paper's in all 12 rows", "all",
@@ -285,11 +285,10 @@ bytes for a voxel or leaf with n triangles, 1 for another. Real MB: what malloc 
 
 
 def main(folder: str) -> None:
-    ours = read(folder, "fields.csv")
-    fields = paper_fields() + ours
-    contours = read(folder, "contours.csv")
+    fields = paper_fields() + [r for n in (2, 3, 4) for r in read(folder, f"table-{n}.csv")]
+    contours = read(folder, "tables-5-and-6.csv") + read(folder, "table-7.csv")
     sections = [HEAD.format(**read(folder, "machine.csv")[0]), targets_section(folder, fields, contours), parts_section(folder),
-                fields_section(fields, ours), reproduced_section(fields), growth_section(fields), contours_section(contours), examples_section(folder),
+                fields_section(folder, fields), reproduced_section(fields), growth_section(fields), contours_section(contours), examples_section(folder),
                 scaling_section(folder)]
     with open(os.path.join(folder, "README.md"), "w") as file:
         file.write("\n".join(s.rstrip("\n") + "\n" for s in sections))

@@ -5,8 +5,8 @@
 
 namespace cdfr::bench {
 
-/// Each in a process of its own, on one thread: the part made, its field built, its contour extracted. Precondition:
-/// no other thread runs.
+/// Each in a process of its own, on one thread: the part made, its field built, its contour extracted.
+/// Precondition: no other thread runs.
 Csv example_table();
 
 /// papers/huang-2001-report, section 6: the same engine by the papers' own field of resolution 300.

@@ -16,6 +16,8 @@ namespace {
 
 /// Longer ones are timed once.
 constexpr double long_build = 5;
+/// Beyond, the least lists would take longer than all the rest.
+constexpr int most_resolution_for_least = 64;
 
 struct Measured {
   ListCounts lists;
@@ -45,8 +47,7 @@ void measure(Way way, const VoxelMesh& mesh, Measured& measured) {
 
 CsvRow row_of(const FieldCase& which, Way way, const Measured& measured, bool timed) {
   const ListCounts& lists = measured.lists;
-  CsvRow row{{"table", which.table},
-             {"part", which.subject.name},
+  CsvRow row{{"part", which.subject.name},
              {"resolution", std::to_string(which.resolution)},
              {"way", name_of(way)},
              {"inside", fixed(lists.inside, 0)},
@@ -102,8 +103,7 @@ Csv field_table(const std::vector<FieldCase>& cases, int rounds) {
   for (const FieldCase& which : cases) {
     const std::optional<Mesh> part = mesh_of(which.subject);
     if (!part) continue;
-    std::fprintf(stderr, "table %s: %s %d\n", which.table.c_str(), which.subject.name.c_str(),
-                 which.resolution);
+    std::fprintf(stderr, "field of %s %d\n", which.subject.name, which.resolution);
     const VoxelMesh mesh = in_voxels(*part, which.resolution);
     std::map<Way, Measured> measured;
     for (int round = 0; round < std::max(rounds, 1); ++round) {
@@ -112,8 +112,7 @@ Csv field_table(const std::vector<FieldCase>& cases, int rounds) {
         if (known.empty() || known.front() < long_build) measure(way, mesh, measured[way]);
       }
     }
-    // With larger parts it would take longer than all the rest.
-    if (rounds > 0 && which.table != "4") {
+    if (rounds > 0 && which.resolution <= most_resolution_for_least) {
       measured[Way::octree_own].least = least_lists(build_octree(Way::octree_own, mesh).value());
     }
     for (const Way way : all_ways) table.add(row_of(which, way, measured[way], rounds > 0));

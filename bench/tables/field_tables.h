@@ -8,8 +8,8 @@ namespace cdfr::bench {
 
 Csv part_table();
 
-/// Rows of papers/huang-2001 tables 2 to 4, each in all ways. Columns that end in `_ms` or `_mb` depend on the
-/// machine, all others do not. With `rounds` 0 nothing is timed.
+/// Rows of tables 2, 3 or 4, each in all ways. Columns that end in `_ms` or `_mb` depend on the machine, all
+/// others do not. With `rounds` 0 nothing is timed.
 Csv field_table(const std::vector<FieldCase>& cases, int rounds);
 
 }  // namespace cdfr::bench

@@ -21,11 +21,13 @@ namespace {
 
 constexpr double most_triangles = 5.5e6;
 constexpr int queries = 100000;
-/// An octree's time for twice the resolution, at most by a way that splits all that has more than one triangle.
+/// An octree's time for twice the resolution, at most by a way that splits all that has more than one
+/// triangle.
 constexpr double growth = 7;
 
 template <class Built>
-CsvRow cost_row(const std::string& part, int resolution, Way way, const Built& field, double seconds, double bytes) {
+CsvRow cost_row(const std::string& part, int resolution, Way way, const Built& field, double seconds,
+                double bytes) {
   const ListCounts lists = lists_of(field);
   return {{"part", part},
           {"resolution", std::to_string(resolution)},

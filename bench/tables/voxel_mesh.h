@@ -16,8 +16,8 @@ struct VoxelMesh {
   int level = 0;
 };
 
-/// For a grid of that resolution, 4 empty voxels on each side counted, whose voxels have the lattice's points in
-/// their middle (UniformVoxels::points). Precondition: resolution > 8, the mesh is not empty.
+/// For a grid of that resolution, 4 empty voxels on each side counted, whose voxels have the lattice's points
+/// in their middle (UniformVoxels::points). Precondition: resolution > 8, the mesh is not empty.
 VoxelMesh in_voxels(const Mesh& mesh, int resolution);
 
 }  // namespace cdfr::bench

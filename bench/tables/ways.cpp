@@ -31,11 +31,16 @@ double mean(std::uint64_t tuples, std::uint64_t cells) {
 
 std::string name_of(Way way) {
   switch (way) {
-    case Way::uniform: return "uniform";
-    case Way::octree_band: return "octree-band";
-    case Way::octree_own: return "octree-own";
-    case Way::octree: return "octree";
-    case Way::standard: return "default";
+    case Way::uniform:
+      return "uniform";
+    case Way::octree_band:
+      return "octree-band";
+    case Way::octree_own:
+      return "octree-own";
+    case Way::octree:
+      return "octree";
+    case Way::standard:
+      return "default";
   }
   return "";
 }

@@ -26,8 +26,8 @@ inline constexpr int entry_triangles = 8;
 
 std::string name_of(Way way);
 
-/// On one thread. Of an octree's all but `standard` the deepest cells are the mesh's voxels, and only cells that the
-/// surface or the inside comes into have lists, as with the papers.
+/// On one thread. Of an octree's all but `standard` the deepest cells are the mesh's voxels, and only cells
+/// that the surface or the inside comes into have lists, as with the papers.
 Result<UniformField> build_uniform(const VoxelMesh& mesh);
 Result<Field> build_octree(Way way, const VoxelMesh& mesh);
 

@@ -81,7 +81,7 @@ bool HeavyDescent::gather(std::span<const Entry> list) {
     const GroupRange groups = groups_of(field_.bvh, entry);
     if (std::size_t{groups.end - groups.first} * group_size > longest_list) return false;
     for (std::uint32_t group = groups.first; group < groups.end; ++group) {
-      const unsigned own = entry.is_group() ? entry.lanes() : (1U << field_.triangles.lanes(group)) - 1;
+      const unsigned own = entry.is_group() ? entry.lanes() : field_.triangles.own_lanes(group);
       for (unsigned lanes = own; lanes != 0; lanes &= lanes - 1)
         slots_.push_back(group * static_cast<std::uint32_t>(group_size) +
                          static_cast<std::uint32_t>(std::countr_zero(lanes)));

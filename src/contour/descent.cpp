@@ -167,8 +167,9 @@ void Descent::halve(const Cube& piece, int times, Stuck& stuck) {
   const double most = distance_above(field_, piece.lo, piece.size) + level_.rounding;
   if (most < level_.height) return;
   if (try_corners(piece, stuck)) return;
-  // No sample can tell a largest value from the height by less than rounding. A sample that was to reach the height
-  // and crossed a medial sheet just there is below it by as much again, and by the hair that it was moved farther.
+  // No sample can tell a largest value from the height by less than rounding. A sample that was to reach the
+  // height and crossed a medial sheet just there is below it by as much again, and by the hair that it was
+  // moved farther.
   const bool hopeless = most - stuck.highest.value < 8 * level_.rounding;
   if (times == 0 || hopeless || stuck.trials >= most_trials) {
     stuck.excluded = false;

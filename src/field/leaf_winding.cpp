@@ -102,7 +102,7 @@ bool count_crossings(const FieldData& field, std::span<const Entry> list, double
                      SegmentCrossings& crossings) noexcept {
   const SearchSpace space = field.space();
   const auto add = [&](std::uint32_t group, unsigned lanes) {
-    const unsigned own = (1U << space.triangles.lanes(group)) - 1;
+    const unsigned own = space.triangles.own_lanes(group);
     return crossings.add(space.triangles.group(group), lanes & own);
   };
   for (const Entry& entry : list) {

@@ -47,6 +47,10 @@ struct TriangleStore {
     const std::size_t left = records.size() - std::size_t{group} * group_size;
     return left < group_size ? left : group_size;
   }
+  /// The same as bits. No other lane may be looked at: there is nothing behind it.
+  std::uint8_t own_lanes(std::uint32_t group) const noexcept {
+    return static_cast<std::uint8_t>(0xffU >> (group_size - lanes(group)));
+  }
   /// Calls for the lines that shape and record read.
   void prefetch(std::uint32_t slot) const noexcept {
     __builtin_prefetch(&exact[slot]);

@@ -77,7 +77,8 @@ void BlockBuilder::close(Growing&& cell) {
 
 void BlockBuilder::leave_out(const Growing& cell) {
   const bool is_group = space_.bvh.nodes[0].is_group();
-  add_leaf(cell, false, {is_group ? Entry::of_group(0, 0, 0xff) : Entry::of_node(0, 0)});
+  add_leaf(cell, false,
+           {is_group ? Entry::of_group(0, 0, space_.triangles.own_lanes(0)) : Entry::of_node(0, 0)});
 }
 
 void BlockBuilder::add_leaf(const Growing& cell, bool crossed, std::vector<Entry> list) {

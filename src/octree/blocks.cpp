@@ -29,7 +29,7 @@ bool take(const Array<T>& all, std::uint64_t first, std::uint64_t end, Array<T>&
 
 Block single_leaf(std::uint64_t key) {
   return {key, std::vector{TreeNode::leaf(0)}, std::vector{LeafRecord{0, 1U << 2}},
-          std::vector{Entry::of_group(0, 0, 0xff)}};
+          std::vector{Entry::of_group(0, 0, 1)}};
 }
 
 }  // namespace

@@ -165,8 +165,7 @@ class Refinement {
 
   void sift_group(const Candidate& candidate, const SampleDistances& distances, unsigned children) {
     const std::uint32_t number = space_.bvh.nodes[candidate.node].first_group;
-    const auto used = static_cast<std::uint8_t>(0xffU >> (group_size - space_.triangles.lanes(number)));
-    const std::uint8_t lanes = candidate.lanes & used;
+    const std::uint8_t lanes = candidate.lanes & space_.triangles.own_lanes(number);
     std::array<KeptLanes, 8> kept;
     if (options_.lists == Lists::band) {
       for (std::size_t child = 0; child < 8; ++child) kept[child] = in_band(child, distances, lanes);

@@ -342,8 +342,7 @@ bool scan_below(Scan& scan, const ScanSpace& space, const Vec3& p, std::uint32_t
         next = near;
         continue;
       }
-      const auto own = 0xffU >> (group_size - space.triangles.lanes(node.first_group));
-      const Entry entry = Entry::of_group(node.first_group, 0, static_cast<std::uint8_t>(own));
+      const Entry entry = Entry::of_group(node.first_group, 0, space.triangles.own_lanes(node.first_group));
       if (!held) {
         held = entry;
         prefetch(space.groups[entry.number()]);

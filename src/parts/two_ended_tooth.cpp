@@ -3,11 +3,12 @@
 
 namespace cdfr {
 
-/// papers/huang-2001-report, figure 7: a two-ended tooth, of which no number is told. It is the one-tooth's block,
-/// in the same box (1, 2, 2), with two cusps at either end and notches of half the depth between them: a prism on a
-/// hexagon, so 4 * 6 - 4 = 20 triangles.
+/// papers/huang-2001-report, figure 7: a two-ended tooth, of which no number is told. It is the one-tooth's
+/// block, in the same box (1, 2, 2), with two cusps at either end and notches of half the depth between them:
+/// a prism on a hexagon, so 4 * 6 - 4 = 20 triangles.
 ///
-/// Depth: the thickness of 1 allows 0.5, and each half of the section a circle of radius 2 / (1 + sqrt(5)) = 0.618.
+/// Depth: the thickness of 1 allows 0.5, and each half of the section a circle of radius 2 / (1 + sqrt(5)) =
+/// 0.618.
 Mesh two_ended_tooth() {
   Mesh mesh;
   for (const double x : {0.0, 1.0}) {

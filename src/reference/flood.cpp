@@ -17,8 +17,8 @@ bool in_outermost_layer(const VoxelGrid& grid, std::size_t cell) noexcept {
 
 /// Two untouched voxels that share as much as a corner are on the same side, for no triangle touches that
 /// corner: the flood may go to all 26 neighbours. The paper does not say to which it goes. With
-/// UniformVoxels::points the same holds: of two neighbours' points, at most sqrt(3) voxels apart, on two sides of the
-/// surface, one is within a voxel of it.
+/// UniformVoxels::points the same holds: of two neighbours' points, at most sqrt(3) voxels apart, on two
+/// sides of the surface, one is within a voxel of it.
 void flood_outside(UniformData& data) {
   std::vector<std::size_t> reached;
   const auto reach = [&](std::size_t cell) {

@@ -19,7 +19,8 @@ namespace {
 Error bad_option(const std::string& text) { return {Code::bad_option, 0, text}; }
 
 Result<VoxelGrid> grid_for(const Box& mesh, const UniformOptions& options) {
-  if (options.resolution < 1 || options.resolution > 65536) return bad_option("resolution must be 1 to 65536");
+  if (options.resolution < 1 || options.resolution > 65536)
+    return bad_option("resolution must be 1 to 65536");
   if (options.border < 1 || options.border > 64) return bad_option("border must be 1 to 64");
   const std::array<double, 3> sides{mesh.hi.x - mesh.lo.x, mesh.hi.y - mesh.lo.y, mesh.hi.z - mesh.lo.z};
   const double longest = *std::ranges::max_element(sides);

@@ -46,8 +46,8 @@ CddTuple cdd_tuple(const ReferenceSurface& surface, const Vec3& centre, std::uin
 /// Error: out_of_range beyond most_uniform_tuples.
 Result<void> expect_few_enough(std::uint64_t tuples);
 
-/// Section 3.3: lists with each voxel the triangles that touch it, or are as near to its point as UniformVoxels has
-/// it, and calls it surface; all others are inside.
+/// Section 3.3: lists with each voxel the triangles that touch it, or are as near to its point as
+/// UniformVoxels has it, and calls it surface; all others are inside.
 Result<void> voxelise(UniformData& data, Progress& progress);
 
 /// Surface voxels whose point lies outside, by the base triangle's side, become outside ones.

@@ -17,7 +17,8 @@ Box grown(const Box& box, double by) noexcept {
   return {{box.lo.x - by, box.lo.y - by, box.lo.z - by}, {box.hi.x + by, box.hi.y + by, box.hi.z + by}};
 }
 
-/// Places that the triangle's box reaches, one more on each side: all whose point is less than 3/2 voxels from it.
+/// Places that the triangle's box reaches, one more on each side: all whose point is less than 3/2 voxels
+/// from it.
 std::array<std::array<int, 2>, 3> range_of(const VoxelGrid& grid, const std::array<Vec3, 3>& corners) {
   const auto along = [&](double Vec3::*axis, std::size_t a) {
     const auto [lo, hi] = std::minmax({corners[0].*axis, corners[1].*axis, corners[2].*axis});

@@ -124,7 +124,12 @@ bool FileCheck::in_bounds(format::Section section, Element first, Element end) c
     case format::entries: {
       const auto* entries = elements<Entry>(section);
       return all_of(first, end, [&](Element i) {
-        return entries[i].number() < count(entries[i].is_group() ? format::scan_groups : format::bvh_nodes);
+        const Element number = entries[i].number();
+        if (!entries[i].is_group()) return number < count(format::bvh_nodes);
+        const Element triangles = count(format::records);
+        if (number >= count(format::scan_groups) || number * group_size >= triangles) return false;
+        const Element left = triangles - number * group_size;
+        return left >= group_size || entries[i].lanes() >> left == 0;
       });
     }
     case format::triangles: {
@@ -223,7 +228,7 @@ void FileCheck::fill(std::size_t first, std::size_t end, std::byte* into) const 
   for (const format::Section s : {format::top, format::index_grid, format::index_nodes, format::block_nodes})
     fill_section(s, TreeNode::leaf(0));
   fill_section(format::index_leaves, LeafIndex::Leaf{0, 1U << 2 | static_cast<unsigned>(Side::surface), 0});
-  fill_section(format::entries, Entry::of_group(0, 0, 0xff));
+  fill_section(format::entries, Entry::of_group(0, 0, 1));
   fill_section(format::bvh_nodes, BvhNode{{}, 0, 1});
   fill_section(format::winding_places, no_index);
 }

@@ -62,8 +62,8 @@ TEST(ContourPoints, OfACubeOnTheLatticeItself) {
   for (const double distance : {-0.375, -0.25, -0x1p-10, 0.0, 0.25}) check(cube, distance, 0x1p-4);
 }
 
-/// The contour is the plate's middle sheet, or is not there, as the last bits have it. No sample can tell, so none
-/// should be looked for.
+/// The contour is the plate's middle sheet, or is not there, as the last bits have it. No sample can tell, so
+/// none should be looked for.
 TEST(ContourPoints, AtTheDepthOfAMedialSheetTakeFewDistances) {
   for (const double at : {0.0, 0.1, 1.0 / 3, 1e3 / 7}) {
     const Case plate(test::box_mesh({{at, 0.2, 0.3}, {at + 1.0 / 7, 4.3, 5.1}}));

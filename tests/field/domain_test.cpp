@@ -6,6 +6,7 @@
 
 #include "cdfr/contour/contour.h"
 #include "cdfr/field/field.h"
+#include "cdfr/parts/part.h"
 #include "support/meshes.h"
 #include "support/random.h"
 #include "support/same.h"
@@ -32,7 +33,8 @@ std::vector<Mesh> meshes() {
   open.triangles.resize(open.triangles.size() - 60);
   Mesh twice = test::sphere_mesh(3);
   twice.triangles.insert(twice.triangles.end(), twice.triangles.begin(), twice.triangles.end());
-  return {test::sphere_mesh(4), open, twice, test::box_mesh({{0, 0, 0}, {1, 2, 3}})};
+  return {test::sphere_mesh(4), open, twice, test::box_mesh({{0, 0, 0}, {1, 2, 3}}),
+          make_part("tetrahedron").value()};
 }
 
 TEST(Domain, ChangesNoAnswer) {

@@ -65,8 +65,9 @@ TEST_P(PaperTables, surface_means_are_those_of_touching_triangles) {
   EXPECT_LT(surface_mean(touches), 2);
 }
 
-/// Voxels as points of the lattice: the counts of inner voxels are the paper's, to the last printed digit where the
-/// part is a cube or a tetrahedron. What is not within 15 % of the paper is named in papers/huang-2001/README.md.
+/// Voxels as points of the lattice: the counts of inner voxels are the paper's, to the last printed digit
+/// where the part is a cube or a tetrahedron. What is not within 15 % of the paper is named in
+/// papers/huang-2001/README.md.
 TEST_P(PaperTables, inner_voxels_are_points_deeper_than_a_voxel) {
   const Row& row = GetParam();
   const UniformField field = field_of(row, UniformVoxels::points, false);
@@ -83,8 +84,9 @@ TEST_P(PaperTables, inner_voxels_are_points_deeper_than_a_voxel) {
   EXPECT_EQ(stats.inside_cells + stats.surface_cells + stats.outside_cells, field.cell_count());
 }
 
-/// Closed forms: of a cube n voxels long (n - 3)^3 points are more than a voxel deep, of a tetrahedron at the origin
-/// those from 2 on whose coordinates add up to n - 2 at most: its slanting side is 2 / sqrt(3) away from them.
+/// Closed forms: of a cube n voxels long (n - 3)^3 points are more than a voxel deep, of a tetrahedron at the
+/// origin those from 2 on whose coordinates add up to n - 2 at most: its slanting side is 2 / sqrt(3) away
+/// from them.
 TEST(PaperVoxels, InnerPointsOfCubeAndTetrahedron) {
   for (const std::uint64_t n : {24U, 56U}) {
     const auto inside = [&](const char* part) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cdfr/parts/part.h"
 #include "store/format.h"
 #include "store/stored_bytes.h"
 #include "support/meshes.h"
@@ -115,6 +116,18 @@ TEST_F(StoreForged, SingleBitsInEverySection) {
       }
     }
   }
+}
+
+/// A mesh of four triangles has a group of four lanes; the other four have nothing behind them.
+TEST_F(StoreForged, LanesWithoutATriangle) {
+  std::string bytes = small_field(make_part("tetrahedron").value());
+  ASSERT_TRUE(survives(bytes));
+  const Extent entries = sections_of(bytes)[format::entries];
+  for (std::size_t at = entries.begin; at < entries.end; at += sizeof(Entry)) {
+    Entry entry = Entry::of_group(0, 0, 0xff);
+    std::memcpy(bytes.data() + at, &entry, sizeof entry);
+  }
+  EXPECT_FALSE(survives(bytes));
 }
 
 /// A checksum that fits hides nothing from the build.

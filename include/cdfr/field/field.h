@@ -79,9 +79,9 @@ class CDFR_API Field {
   Result<void> distance(const Grid& grid, std::span<double> out, const Run& run = {}) const;
   Result<void> closest(Points x, std::span<Closest> out, const Run& run = {}) const;
 
-  /// The same field with its octree cut at a level, 0 to 18, for pictures and sweeps without a rebuild: deeper
-  /// leaves make one of their cell, with all of their triangles, so lists stay complete and answers the same.
-  /// Shares all but the octree. Errors: bad_option; status(). O(leaves and their lists).
+  /// The same field with its octree cut at a level, 0 to 18, for pictures and sweeps without a rebuild:
+  /// deeper leaves make one of their cell, with all of their triangles, so lists stay complete and answers
+  /// the same. Shares all but the octree. Errors: bad_option; status(). O(leaves and their lists).
   Result<Field> at_level(int level) const;
 
   /// The deepest point inside, to that error in the mesh's unit; 0 takes the longest side / 1000. Errors:
@@ -90,9 +90,10 @@ class CDFR_API Field {
   /// part is thin beside its leaves.
   Result<Deepest> deepest(double error = 0, const Run& run = {}) const;
 
-  /// Of a field from a file: an error if something that was read turned out to be damaged, or the file has been cut
-  /// short, changed or replaced since. Damage is for good: from then on every distance is NaN, and calls that
-  /// return a Result return this error. Nothing is wrong with a field that was built. One call to the system.
+  /// Of a field from a file: an error if something that was read turned out to be damaged, or the file has
+  /// been cut short, changed or replaced since. Damage is for good: from then on every distance is NaN, and
+  /// calls that return a Result return this error. Nothing is wrong with a field that was built. One call to
+  /// the system.
   Result<void> status() const;
 
   /// Box that the octree covers: at least the mesh's box grown by the margin.
@@ -112,8 +113,8 @@ class CDFR_API Field {
   /// trip.
   std::uint64_t checksum() const;
 
-  /// Leaves in Morton order, for pictures, solvers and tests; those that the domain leaves out are among them.
-  /// Precondition: i < leaf_count(). O(leaves of its block, and its list): for one or a few.
+  /// Leaves in Morton order, for pictures, solvers and tests; those that the domain leaves out are among
+  /// them. Precondition: i < leaf_count(). O(leaves of its block, and its list): for one or a few.
   std::size_t leaf_count() const noexcept;
   Leaf leaf(std::size_t i) const;
   /// All of them one after another, but for those that the domain leaves out. O(leaves and their lists).

@@ -31,9 +31,12 @@ struct CddTuple {
 enum class UniformVoxels : std::uint8_t {
   /// The space between eight points of the lattice; a surface voxel is one that a triangle touches.
   cells,
-  /// The space around a point of the lattice, on which the lowest corner of the mesh's box lies; a surface voxel's
-  /// point is at most a voxel away from a triangle, and not outside by the paper's sign; such triangles are its list.
-  /// That is what the counts of inner voxels in the paper's tables show (papers/huang-2001/README.md). Beside the
+  /// The space around a point of the lattice, on which the lowest corner of the mesh's box lies; a surface
+  /// voxel's
+  /// point is at most a voxel away from a triangle, and not outside by the paper's sign; such triangles are
+  /// its list.
+  /// That is what the counts of inner voxels in the paper's tables show (papers/huang-2001/README.md). Beside
+  /// the
   /// surface, where voxels are dropped that reach inside, these lists are not complete.
   points,
 };
