@@ -13,7 +13,7 @@ constexpr int samples_along = 12;
 
 std::size_t winners(const Field& field, const Box& box) {
   std::set<std::uint32_t> found;
-  const auto at = [](double lo, double hi, int i) { return lo + (hi - lo) * i / (samples_along - 1); };
+  const auto at = [](double lo, double hi, int i) { return lo + (hi - lo) * (i + 0.5) / samples_along; };
   for (int z = 0; z < samples_along; ++z) {
     for (int y = 0; y < samples_along; ++y) {
       for (int x = 0; x < samples_along; ++x) {

@@ -8,8 +8,8 @@
 
 namespace cdfr::bench {
 
-/// Triangles that are the closest one of some sample in the box, corners included. A finer lattice finds
-/// more, so this is a lower bound of the least complete list.
+/// Triangles that are the closest one of some sample strictly inside the box. A finer lattice finds more, so
+/// this is a lower bound of the least complete list.
 std::size_t winners(const Field& field, const Box& box);
 
 }  // namespace cdfr::bench

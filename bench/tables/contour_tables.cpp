@@ -6,20 +6,17 @@
 #include "cdfr/contour/contour.h"
 #include "cdfr/reference/uniform_contour.h"
 #include "processor_time.h"
+#include "tables/no_points.h"
 #include "tables/ways.h"
 
 namespace cdfr::bench {
 namespace {
 
-class NoPoints final : public PointSink {
- public:
-  Result<void> write(std::span<const ContourPoint>) override { return {}; }
-};
-
 struct Extracted {
   double points = 0, evaluations = 0, seconds = 0;
 };
 
+constexpr double half_diagonal_of_unit = 0.8660254037844387;
 /// The least of so many rounds; long ones are done once.
 constexpr int rounds = 3;
 constexpr double long_extraction = 2;
@@ -42,12 +39,6 @@ Extracted extract(Extract contour) {
     if (seconds > long_extraction) break;
   }
   return best;
-}
-
-Run one_thread() {
-  Run run;
-  run.threads = 1;
-  return run;
 }
 
 /// Of one part at one resolution of its fields. Lengths are in voxels.
@@ -85,7 +76,12 @@ class ContourRows {
   }
 
  private:
-  double tolerance(int fineness) const { return static_cast<double>(mesh_.along) / fineness; }
+  /// The least that the papers' rule allows for sub-voxels of which `fineness` lie along the whole grid, so
+  /// that a voxel has fineness / resolution of them on each edge: the grids whose points the papers counted
+  /// (tables 5 to 7).
+  double tolerance(int fineness) const {
+    return half_diagonal_of_unit * (1 + 0x1p-20) * resolution_ / fineness;
+  }
 
   void rows(const Field& field, const std::string& way) {
     for (const int fineness : which_.contour_resolutions) {
@@ -104,6 +100,7 @@ class ContourRows {
                 {"contour_resolution", std::to_string(fineness)},
                 {"way", way},
                 {"points", fixed(extracted.points, 0)},
+                {"tolerance", fixed(tolerance(fineness) * mesh_.voxel, 5)},
                 {"distances_point", fixed(extracted.evaluations / points, 2)},
                 {"time_ms", fixed(1000 * extracted.seconds, 2)},
                 {"us_point", fixed(1e6 * extracted.seconds / points, 4)}});

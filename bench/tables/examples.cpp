@@ -13,6 +13,7 @@
 #include "cdfr/reference/uniform_contour.h"
 #include "peak_memory.h"
 #include "processor_time.h"
+#include "tables/no_points.h"
 #include "tables/subjects.h"
 #include "tables/ways.h"
 
@@ -32,19 +33,13 @@ const Example head{{"cylinder-head"}, "huang-2001 5.5", 8.5, 0.137, 24, 0};
 const Example real_head{{"head_res222", true}, "huang-2001 5.5", 0.211, 0.00133, 0, 0};
 const Example engine{{"engine"}, "huang-2001-report 6", 10, 0.1, 180, 30};
 
-class NoPoints final : public PointSink {
- public:
-  Result<void> write(std::span<const ContourPoint>) override { return {}; }
-};
-
 /// What the child has to tell.
 struct Told {
   double points = 0, field_s = 0, contour_s = 0, resident_mib = 0;
 };
 
 bool extract(const Example& example, Told& told) {
-  Run run;
-  run.threads = 1;
+  const Run run = one_thread();
   const std::optional<Mesh> mesh = mesh_of(example.part);
   if (!mesh) return false;
   const double start = processor_seconds();
@@ -78,7 +73,7 @@ Csv example_table() {
          {"points", fixed(told.points, 0)},
          {"field_ms", fixed(1000 * told.field_s, 0)},
          {"contour_ms", fixed(1000 * told.contour_s, 0)},
-         {"peak_resident_mb", fixed(told.resident_mib, 0)},
+         {"peak_resident_mib", fixed(told.resident_mib, 0)},
          {"paper_plain_volume_gb", example.paper_volume_gb > 0 ? fixed(example.paper_volume_gb, 0) : ""},
          {"paper_contour_s", example.paper_extraction_s > 0 ? fixed(example.paper_extraction_s, 0) : ""}});
   }
@@ -99,7 +94,7 @@ Csv uniform_engine_table() {
   options.tolerance = engine.tolerance / mesh.voxel;
   NoPoints sink;
   start = processor_seconds();
-  const auto report = contour_points(*field, engine.depth / mesh.voxel, options, sink);
+  const auto report = contour_points(*field, engine.depth / mesh.voxel, options, sink, one_thread());
   if (!report) return table;
   table.add({{"source", engine.source},
              {"part", engine.part.name},

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <functional>
 #include <map>
 #include <optional>
 
@@ -23,6 +22,7 @@ struct Measured {
   ListCounts lists;
   double bytes = 0;
   Rounds seconds;
+  std::string refused;
   std::optional<LeastLists> least;
 };
 
@@ -33,7 +33,7 @@ void measure(Build build, Measured& measured) {
   const auto field = build();
   measured.seconds.push_back(processor_seconds() - start);
   if (!field) {
-    std::fprintf(stderr, "bench: %s\n", field.error().text.c_str());
+    measured.refused = field.error().text.substr(0, field.error().text.find(':'));
     return;
   }
   measured.bytes = static_cast<double>(malloc_bytes()) - before;
@@ -47,15 +47,19 @@ void measure(Way way, const VoxelMesh& mesh, Measured& measured) {
 
 CsvRow row_of(const FieldCase& which, Way way, const Measured& measured, bool timed) {
   const ListCounts& lists = measured.lists;
-  CsvRow row{{"part", which.subject.name},
-             {"resolution", std::to_string(which.resolution)},
-             {"way", name_of(way)},
-             {"inside", fixed(lists.inside, 0)},
-             {"surface", fixed(lists.surface, 0)},
-             {"outside", fixed(lists.outside, 0)},
-             {"surface_mean", fixed(lists.surface_mean, 3)},
-             {"inside_mean", fixed(lists.inside_mean, 3)},
-             {"stated_kb", fixed(lists.stated_bytes / 1000, 1)}};
+  CsvRow row{
+      {"part", which.subject.name}, {"resolution", std::to_string(which.resolution)}, {"way", name_of(way)}};
+  if (!measured.refused.empty()) {
+    row.emplace_back("refused", measured.refused);
+    return row;
+  }
+  row.insert(row.end(), {{"grid", lists.grid},
+                         {"inside", fixed(lists.inside, 0)},
+                         {"surface", fixed(lists.surface, 0)},
+                         {"outside", fixed(lists.outside, 0)},
+                         {"surface_mean", fixed(lists.surface_mean, 3)},
+                         {"inside_mean", fixed(lists.inside_mean, 3)},
+                         {"stated_kb", fixed(lists.stated_bytes / 1000, 1)}});
   if (timed) {
     row.emplace_back("real_mb", fixed(measured.bytes / 1e6, 3));
     row.emplace_back("build_ms", fixed(1000 * median(measured.seconds), 2));

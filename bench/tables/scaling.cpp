@@ -126,11 +126,12 @@ void add_laws(Csv& laws, const Csv& table, const std::string& size, const std::s
   }
   for (const auto& [name, fitted] : points) {
     if (fitted.size() < 3) continue;
+    const auto [least, greatest] = std::ranges::minmax(fitted);
     laws.add({{"what", name},
               {"cost", cost},
               {"over", size},
-              {"from", fixed(fitted.front().first, 0)},
-              {"to", fixed(fitted.back().first, 0)},
+              {"from", fixed(least.first, 0)},
+              {"to", fixed(greatest.first, 0)},
               {"exponent", fixed(exponent(fitted), 2)}});
   }
 }

@@ -1,6 +1,7 @@
 #include "tables/voxel_mesh.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "cdfr/field/field.h"
@@ -41,6 +42,7 @@ VoxelMesh in_voxels(const Mesh& mesh, int resolution) {
   const auto counted = [&](double x, double lo) { return (x - lo) / made.voxel + 0.5; };
   for (Vec3& v : made.mesh.vertices)
     v = {counted(v.x, box.lo.x), counted(v.y, box.lo.y), counted(v.z, box.lo.z)};
+  assert(resolution >= 32);
   made.level = std::ilogb(cell_edge(box_of(made.mesh)));
   return made;
 }

@@ -17,7 +17,8 @@ struct VoxelMesh {
 };
 
 /// For a grid of that resolution, 4 empty voxels on each side counted, whose voxels have the lattice's points
-/// in their middle (UniformVoxels::points). Precondition: resolution > 8, the mesh is not empty.
+/// in their middle (UniformVoxels::points). Precondition: the resolution is 32 or more, so that level 0 cells
+/// are larger than voxels; the mesh is not empty.
 VoxelMesh in_voxels(const Mesh& mesh, int resolution);
 
 }  // namespace cdfr::bench

@@ -5,12 +5,6 @@
 namespace cdfr::bench {
 namespace {
 
-Run one_thread() {
-  Run run;
-  run.threads = 1;
-  return run;
-}
-
 /// Triangles and volume of leaves of one side.
 struct Weighed {
   double triangles = 0, volume = 0;
@@ -28,6 +22,12 @@ double mean(std::uint64_t tuples, std::uint64_t cells) {
 }
 
 }  // namespace
+
+Run one_thread() {
+  Run run;
+  run.threads = 1;
+  return run;
+}
 
 std::string name_of(Way way) {
   switch (way) {
@@ -69,7 +69,9 @@ Result<Field> build_octree(Way way, const VoxelMesh& mesh) {
 
 ListCounts lists_of(const UniformField& field) {
   const UniformStats stats = field.stats();
+  const auto [x, y, z] = field.counts();
   ListCounts lists;
+  lists.grid = std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z);
   lists.inside = static_cast<double>(stats.inside_cells);
   lists.surface = static_cast<double>(stats.surface_cells);
   lists.outside = static_cast<double>(stats.outside_cells);

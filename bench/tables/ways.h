@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cdfr/core/result.h"
+#include "cdfr/core/run.h"
 #include "cdfr/field/field.h"
 #include "cdfr/reference/uniform.h"
 #include "tables/voxel_mesh.h"
@@ -26,6 +27,9 @@ inline constexpr int entry_triangles = 8;
 
 std::string name_of(Way way);
 
+/// How all of them are run.
+Run one_thread();
+
 /// On one thread. Of an octree's all but `standard` the deepest cells are the mesh's voxels, and only cells
 /// that the surface or the inside comes into have lists, as with the papers.
 Result<UniformField> build_uniform(const VoxelMesh& mesh);
@@ -35,6 +39,7 @@ Result<Field> build_octree(Way way, const VoxelMesh& mesh);
 struct ListCounts {
   double inside = 0, surface = 0, outside = 0;  ///< voxels, or leaves
   double inside_mean = 0, surface_mean = 0;
+  std::string grid;         ///< voxels along each axis of the uniform field
   double stated_bytes = 0;  ///< 4 n + 5 a voxel or leaf with a list of n, 1 another
 };
 

@@ -1,5 +1,6 @@
 #include "contour/descent.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -37,7 +38,7 @@ void Descent::run(const Cube& cube) {
 }
 
 void Descent::finish(const Cube& cube) {
-  missed_.value = -std::numeric_limits<double>::infinity();
+  missed_ = -std::numeric_limits<double>::infinity();
   const Sample centre = sample(cube.centre());
   if (!passes(level_, centre.value, cube)) return;
   if (level_.rule == Rule::paper) return put_centre(centre);
@@ -46,7 +47,6 @@ void Descent::finish(const Cube& cube) {
   Stuck stuck{cube, centre, centre};
   // Where the sign jumps, the centre may be above the height, its point on the wrong side.
   if (centre.value >= level_.height) stuck.highest.value = -std::numeric_limits<double>::infinity();
-  if (missed_.value > stuck.highest.value) stuck.highest = missed_;
   halve(cube, most_halvings, stuck);
   if (stuck.found || stuck.excluded || put_from_highest(stuck)) return;
   ++counts_.undecided;
@@ -82,12 +82,22 @@ bool Descent::put_along(const Sample& at, const Vec3& along, const Cube& within)
   const Eigen::Vector3d direction = to_eigen(along);
   const double hair = 2 * level_.rounding;
   const Sample beyond = sample(from_eigen(foot + direction * (level_.height + hair)));
-  if (beyond.value < level_.height) {
-    if (beyond.value > missed_.value) missed_ = beyond;
-    return false;
-  }
-  if (beyond.value < level_.height + level_.rounding) return put_between(at, beyond, within);
+  if (beyond.value < level_.height + level_.rounding) return put_at_sheet(at, along, beyond, within);
   return put(from_eigen(foot + direction * level_.height), at, hair + level_.rounding, within);
+}
+
+/// The ray from the foot has crossed a medial sheet. Up to there the value is its length; beyond, it changes
+/// by what the gradient says, and both are equal at the sheet. If that is at the height to the last bits, the
+/// value there tells as well as any whether the contour is.
+bool Descent::put_at_sheet(const Sample& at, const Vec3& along, const Sample& beyond, const Cube& within) {
+  const Eigen::Vector3d direction = to_eigen(along);
+  const double length = level_.height + 2 * level_.rounding;
+  const double slope = level_.side * to_eigen(beyond.gradient).dot(direction);
+  const double sheet = (beyond.value - slope * length) / (1 - slope);
+  if (level_.jumps || !(sheet >= level_.height - 4 * level_.rounding && sheet <= length)) return false;
+  const Sample peak = sample(from_eigen(to_eigen(at.foot) + direction * sheet));
+  missed_ = std::max({missed_, beyond.value, peak.value});
+  return peak.value >= level_.height && put_between(at, peak, within);
 }
 
 /// A point serves a cube if it is within E/2 of the centre: then it is within E of all of the cube.
@@ -109,11 +119,10 @@ bool Descent::try_sample(const Vec3& x, Stuck& stuck) {
   if (at.value < level_.height && at.value > stuck.highest.value) stuck.highest = at;
   const bool crosses = stuck.centre.value < level_.height && at.value >= level_.height;
   stuck.found = put_point(at, stuck.cube) || (crosses && put_between(stuck.centre, at, stuck.cube));
-  if (missed_.value > stuck.highest.value) stuck.highest = missed_;
   return stuck.found;
 }
 
-/// The value crosses the height between the two samples, both of the cube: halved to where it does.
+/// The value crosses the height between the two samples: halved to where it does.
 bool Descent::put_between(const Sample& below, const Sample& above, const Cube& within) {
   Eigen::Vector3d low = to_eigen(below.position);
   Sample high = above;
@@ -167,10 +176,9 @@ void Descent::halve(const Cube& piece, int times, Stuck& stuck) {
   const double most = distance_above(field_, piece.lo, piece.size) + level_.rounding;
   if (most < level_.height) return;
   if (try_corners(piece, stuck)) return;
-  // No sample can tell a largest value from the height by less than rounding. A sample that was to reach the
-  // height and crossed a medial sheet just there is below it by as much again, and by the hair that it was
-  // moved farther.
-  const bool hopeless = most - stuck.highest.value < 8 * level_.rounding;
+  // No sample can tell a largest value from the height by less than rounding: neither one in the cube, nor
+  // those at a sheet that points crossed on their way to the height.
+  const bool hopeless = std::min(most - stuck.highest.value, most - missed_) < 4 * level_.rounding;
   if (times == 0 || hopeless || stuck.trials >= most_trials) {
     stuck.excluded = false;
     return;

@@ -75,6 +75,7 @@ class Descent {
   bool put_point(const Sample& at, const Cube& within);
   bool put_away(const Sample& at, const Cube& within);
   bool put_along(const Sample& at, const Vec3& direction, const Cube& within);
+  bool put_at_sheet(const Sample& at, const Vec3& along, const Sample& beyond, const Cube& within);
   bool put(const Vec3& position, const Sample& from, double error, const Cube& within);
   bool put_between(const Sample& below, const Sample& above, const Cube& within);
   bool put_from_highest(const Stuck& stuck);
@@ -87,7 +88,7 @@ class Descent {
   const Level& level_;
   std::vector<ContourPoint>& points_;
   DescentCounts counts_;
-  Sample missed_;  ///< in this cube, the highest one that was moved to the height and did not reach it
+  double missed_ = 0;  ///< in this cube, the highest value at a sheet that is at the height to the last bits
 };
 
 }  // namespace cdfr

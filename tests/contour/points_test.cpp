@@ -76,6 +76,35 @@ TEST(ContourPoints, AtTheDepthOfAMedialSheetTakeFewDistances) {
   }
 }
 
+/// A plate of thickness |n| on a triangle at right angles to n, all coordinates integers.
+Mesh tilted_plate(const Vec3& n, double at) {
+  const Vec3 u{10 * n.y, -10 * n.x, 0}, v{2 * n.x * n.z, 2 * n.y * n.z, -2 * (n.x * n.x + n.y * n.y)};
+  Mesh mesh;
+  for (const Vec3& low :
+       {Vec3{at, at, at}, Vec3{at + v.x, at + v.y, at + v.z}, Vec3{at + u.x, at + u.y, at + u.z}}) {
+    mesh.vertices.push_back(low);
+    mesh.vertices.push_back({low.x + n.x, low.y + n.y, low.z + n.z});
+  }
+  mesh.triangles = {{0, 2, 4}, {1, 5, 3}, {0, 3, 2}, {0, 1, 3}, {2, 5, 4}, {2, 3, 5}, {4, 1, 0}, {4, 5, 1}};
+  return mesh;
+}
+
+/// Half a rounding decides whether the sheet in the middle is there: then nearly all of it is found, and no
+/// point is promised that is not.
+TEST(ContourPoints, AtATiltedSheetAreThereIfItIs) {
+  for (const Vec3& n : {Vec3{1, 2, 3}, Vec3{4, 1, 2}, Vec3{5, 3, 1}, Vec3{2, 5, 5}}) {
+    const Case plate(tilted_plate(n, 700));
+    ASSERT_EQ(plate.field.sign(), Sign::pseudonormal);
+    const double depth = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) / 2;
+    const double half_rounding = 8 * 0x1p-43;  // of sixteen ulp of coordinates below 1024
+    const Contour there = test::contour_of(plate.field, -(depth - half_rounding), 3.3);
+    EXPECT_GT(there.report.points, 50U);
+    EXPECT_LE(there.report.undecided, there.report.points / 50);
+    const Contour gone = test::contour_of(plate.field, -(depth + half_rounding), 3.3);
+    EXPECT_EQ(gone.report.undecided, gone.report.points);
+  }
+}
+
 TEST(ContourPoints, OfATwoDegreeWedge) {
   const Case wedge(test::wedge_mesh());
   for (const double distance : {-0.025, -0.01, 0.02}) check(wedge, distance, 0.097, 3);

@@ -1,5 +1,6 @@
 #include "cdfr/mesh/audit.h"
 
+#include <CLI/CLI.hpp>
 #include <limits>
 #include <memory>
 #include <string>

@@ -1,5 +1,6 @@
 #include "cdfr/contour/contour.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

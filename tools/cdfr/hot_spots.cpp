@@ -1,5 +1,6 @@
 #include "hot_spots.h"
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <utility>
 

@@ -1,8 +1,7 @@
 /// The verb sections without a depth.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "command_line.h"
 #include "hot_spots_finding.h"
 
 namespace cdfr::command {

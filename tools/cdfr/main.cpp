@@ -1,4 +1,5 @@
 /// The cdfr command: exact distances to a mesh, from a shell.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <exception>

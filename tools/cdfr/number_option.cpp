@@ -1,5 +1,6 @@
 #include "number_option.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -1,10 +1,11 @@
 /// Options that are numbers: the whole word, decimal, in its range, or wrong usage.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <limits>
 #include <string>
+
+#include "command_line.h"
 
 namespace cdfr::command {
 

@@ -1,5 +1,7 @@
 #include "provenance.h"
 
+#include <CLI/CLI.hpp>
+
 #include "cdfr/version.h"
 #include "file_hash.h"
 #include "settings.h"

@@ -1,11 +1,11 @@
 /// Where a report comes from: enough to make it again, and to tell whether it would be the same.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "cdfr/mesh/audit.h"
+#include "command_line.h"
 #include "input.h"
 #include "json_report.h"
 

@@ -1,5 +1,6 @@
 #include "cdfr/analysis/sections.h"
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <limits>
 #include <memory>

@@ -1,12 +1,12 @@
 /// Options that several verbs share.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "cdfr/core/run.h"
 #include "cdfr/octree/options.h"
+#include "command_line.h"
 
 namespace cdfr::command {
 

@@ -1,5 +1,6 @@
 #include "cdfr/analysis/thickness.h"
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <limits>

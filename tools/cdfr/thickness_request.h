@@ -1,11 +1,11 @@
 /// What cdfr thickness was asked, and what came of it.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
 #include "cdfr/analysis/thickness.h"
+#include "command_line.h"
 #include "input.h"
 #include "provenance.h"
 #include "settings.h"

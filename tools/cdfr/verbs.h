@@ -1,7 +1,7 @@
 /// The verbs of the command line. Each adds its options and what it does to the program.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "command_line.h"
 
 namespace cdfr::command {
 
