@@ -31,13 +31,11 @@ struct CddTuple {
 enum class UniformVoxels : std::uint8_t {
   /// The space between eight points of the lattice; a surface voxel is one that a triangle touches.
   cells,
-  /// The space around a point of the lattice, on which the lowest corner of the mesh's box lies; a surface
-  /// voxel's
-  /// point is at most a voxel away from a triangle, and not outside by the paper's sign; such triangles are
-  /// its list.
-  /// That is what the counts of inner voxels in the paper's tables show (papers/huang-2001/README.md). Beside
-  /// the
-  /// surface, where voxels are dropped that reach inside, these lists are not complete.
+  /// The space around a point of the lattice, on which the lowest corner of the mesh's box lies. A surface
+  /// voxel's point is at most a voxel away from a triangle and not outside by the paper's sign; the triangles
+  /// as near as that are its list. The counts of inner voxels in the paper's tables show it
+  /// (papers/huang-2001/README.md). Beside the surface, where voxels are dropped that reach inside, lists are
+  /// not complete; of a mesh turned inside out nothing is left to list.
   points,
 };
 
@@ -49,7 +47,7 @@ struct UniformOptions {
   /// The paper drops the voxels that the flood reaches; true gives them lists as well.
   bool keep_outside = false;
   /// The paper's text lets every voxel that is kept take over from its neighbours; false leaves a surface
-  /// voxel with the triangles that touch it and no others, which is incomplete.
+  /// voxel with the triangles that made it one, which is incomplete.
   bool surface_inherits = true;
   UniformVoxels voxels = UniformVoxels::cells;
 };
