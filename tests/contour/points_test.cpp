@@ -71,7 +71,7 @@ TEST(ContourPoints, AtTheDepthOfAMedialSheetTakeFewDistances) {
     for (int step = -20; step <= 20; step += 4) {
       const double t = depth + step * 0x1p-52 * (at + 1);
       const ContourReport report = test::contour_of(plate.field, -t, 0.6).report;
-      EXPECT_LT(report.evaluations, 800 * std::max<std::uint64_t>(report.points, 100)) << at << " " << step;
+      EXPECT_LT(report.evaluations, 1000 * std::max<std::uint64_t>(report.points, 100)) << at << " " << step;
     }
   }
 }

@@ -65,8 +65,8 @@ TEST_P(PaperTables, surface_means_are_those_of_touching_triangles) {
   EXPECT_LT(surface_mean(touches), 2);
 }
 
-/// Voxels as points of the lattice: the counts of inner voxels are the paper's, to the last printed digit
-/// where the part is a cube or a tetrahedron. What is not within 15 % of the paper is named in
+/// Voxels as points of the lattice: the counts of inner voxels are the paper's to 1 % where the part is a
+/// cube or a tetrahedron, but for a printed 1.0 that is 969. What is not within 15 % of the paper is named in
 /// papers/huang-2001/README.md.
 TEST_P(PaperTables, inner_voxels_are_points_deeper_than_a_voxel) {
   const Row& row = GetParam();
