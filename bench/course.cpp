@@ -18,15 +18,6 @@ double length(Vec3 a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
 /// Points that float holds exactly: every system gets the same ones, to the last bit.
 Vec3 as_float(Vec3 p) { return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)}; }
 
-Box box_of(const Mesh& mesh) {
-  Box box{mesh.vertices.front(), mesh.vertices.front()};
-  for (const Vec3& v : mesh.vertices) {
-    box.lo = {std::min(box.lo.x, v.x), std::min(box.lo.y, v.y), std::min(box.lo.z, v.z)};
-    box.hi = {std::max(box.hi.x, v.x), std::max(box.hi.y, v.y), std::max(box.hi.z, v.z)};
-  }
-  return box;
-}
-
 Box scaled(const Box& box, double factor) {
   const Vec3 grow = (factor - 1) / 2 * (box.hi - box.lo);
   return {box.lo - grow, box.hi + grow};

@@ -60,4 +60,13 @@ Result<Mesh> load_model(const Model& model) {
   return read_mesh(model.path);
 }
 
+Box box_of(const Mesh& mesh) {
+  Box box{mesh.vertices.front(), mesh.vertices.front()};
+  for (const Vec3& v : mesh.vertices) {
+    box.lo = {std::min(box.lo.x, v.x), std::min(box.lo.y, v.y), std::min(box.lo.z, v.z)};
+    box.hi = {std::max(box.hi.x, v.x), std::max(box.hi.y, v.y), std::max(box.hi.z, v.z)};
+  }
+  return box;
+}
+
 }  // namespace cdfr::bench

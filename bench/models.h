@@ -21,5 +21,7 @@ std::vector<Model> models();
 std::vector<Model> public_models(const std::string& filter);
 /// Unpacks what ends in .gz to a temporary file, which is gone afterwards.
 Result<Mesh> load_model(const Model& model);
+/// Precondition: the mesh has vertices.
+Box box_of(const Mesh& mesh);
 
 }  // namespace cdfr::bench

@@ -5,18 +5,10 @@
 #include <cmath>
 
 #include "cdfr/field/field.h"
+#include "models.h"
 
 namespace cdfr::bench {
 namespace {
-
-Box box_of(const Mesh& mesh) {
-  Box box{mesh.vertices.front(), mesh.vertices.front()};
-  for (const Vec3& v : mesh.vertices) {
-    box.lo = {std::min(box.lo.x, v.x), std::min(box.lo.y, v.y), std::min(box.lo.z, v.z)};
-    box.hi = {std::max(box.hi.x, v.x), std::max(box.hi.y, v.y), std::max(box.hi.z, v.z)};
-  }
-  return box;
-}
 
 /// The edge of level 0 cells, a power of two, as a field over a mesh of that box has it.
 double cell_edge(const Box& box) {

@@ -1,8 +1,11 @@
 #include "parts/depth_probe.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <utility>
 
 namespace cdfr::test {
@@ -195,6 +198,17 @@ std::vector<DepthProbe::Place> DepthProbe::deeper_than(double bound, double fine
     }
   }
   return places;
+}
+
+void DepthProbe::expect_alternating(int places) const {
+  std::mt19937_64 random(4);
+  const auto between = [&](double lo, double hi) {
+    return lo + (hi - lo) * static_cast<double>(random() >> 11U) * 0x1p-53;
+  };
+  for (int i = 0; i < places; ++i) {
+    const double x = between(box_.lo.x, box_.hi.x), y = between(box_.lo.y, box_.hi.y);
+    ASSERT_TRUE(alternates(x, y)) << x << " " << y;
+  }
 }
 
 }  // namespace cdfr::test

@@ -33,6 +33,8 @@ class DepthProbe {
 
   /// Along the line over (x, y) the surface is entered and left in turn.
   bool alternates(double x, double y) const;
+  /// The same along lines over so many random places of the box.
+  void expect_alternating(int places) const;
 
  private:
   struct Cube {

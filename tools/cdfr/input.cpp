@@ -1,5 +1,6 @@
 #include "input.h"
 
+#include <CLI/CLI.hpp>
 #include <array>
 #include <chrono>
 #include <cstdio>
