@@ -68,7 +68,7 @@ TEST(ContourPoints, AtTheDepthOfAMedialSheetTakeFewDistances) {
   for (const double at : {0.0, 0.1, 1.0 / 3, 1e3 / 7}) {
     const Case plate(test::box_mesh({{at, 0.2, 0.3}, {at + 1.0 / 7, 4.3, 5.1}}));
     const double depth = -plate.brute.closest({at + 0.5 / 7, 2, 2}).distance;
-    for (int step = -20; step <= 20; step += 4) {
+    for (int step = -20; step <= 20; step += 8) {
       const double t = depth + step * 0x1p-52 * (at + 1);
       const ContourReport report = test::contour_of(plate.field, -t, 0.6).report;
       EXPECT_LT(report.evaluations, 1000 * std::max<std::uint64_t>(report.points, 100)) << at << " " << step;

@@ -10,9 +10,12 @@
 #include "support/meshes.h"
 #include "support/random.h"
 #include "support/same.h"
+#include "support/sanitized.h"
 
 namespace cdfr {
 namespace {
+
+constexpr int fine = test::sanitized ? 3 : 4;
 
 std::vector<BuildOptions> options_of_each() {
   BuildOptions options;
@@ -29,11 +32,11 @@ std::vector<BuildOptions> options_of_each() {
 }
 
 std::vector<Mesh> meshes() {
-  Mesh open = test::sphere_mesh(4);
+  Mesh open = test::sphere_mesh(fine);
   open.triangles.resize(open.triangles.size() - 60);
   Mesh twice = test::sphere_mesh(3);
   twice.triangles.insert(twice.triangles.end(), twice.triangles.begin(), twice.triangles.end());
-  return {test::sphere_mesh(4), open, twice, test::box_mesh({{0, 0, 0}, {1, 2, 3}}),
+  return {test::sphere_mesh(fine), open, twice, test::box_mesh({{0, 0, 0}, {1, 2, 3}}),
           make_part("tetrahedron").value()};
 }
 
@@ -86,7 +89,7 @@ TEST(Domain, LeavesOutWhatItSays) {
 
 /// In order, whole, and without those that are left out.
 TEST(Domain, LeavesAreVisitedAsTheyAreCounted) {
-  const Mesh mesh = test::sphere_mesh(4);
+  const Mesh mesh = test::sphere_mesh(fine);
   for (const BuildOptions& options : options_of_each()) {
     const Field field = Field::build(mesh.view(), options).value();
     const Stats stats = field.stats();
