@@ -5,10 +5,8 @@
 #include <map>
 #include <optional>
 
-#include "malloc_bytes.h"
-#include "processor_time.h"
 #include "rounds.h"
-#include "tables/ways.h"
+#include "tables/measured_build.h"
 
 namespace cdfr::bench {
 namespace {
@@ -19,38 +17,17 @@ constexpr double long_build = 5;
 constexpr int most_resolution_for_least = 64;
 
 struct Measured {
-  ListCounts lists;
-  double bytes = 0;
+  MeasuredBuild last;
   Rounds seconds;
-  std::string refused;
   std::optional<LeastLists> least;
 };
 
-template <class Build>
-void measure(Build build, Measured& measured) {
-  const auto before = static_cast<double>(malloc_bytes());
-  const double start = processor_seconds();
-  const auto field = build();
-  measured.seconds.push_back(processor_seconds() - start);
-  if (!field) {
-    measured.refused = field.error().text.substr(0, field.error().text.find(':'));
-    return;
-  }
-  measured.bytes = static_cast<double>(malloc_bytes()) - before;
-  if (measured.seconds.size() == 1) measured.lists = lists_of(*field);
-}
-
-void measure(Way way, const VoxelMesh& mesh, Measured& measured) {
-  if (way == Way::uniform) return measure([&] { return build_uniform(mesh); }, measured);
-  measure([&] { return build_octree(way, mesh); }, measured);
-}
-
 CsvRow row_of(const FieldCase& which, Way way, const Measured& measured, bool timed) {
-  const ListCounts& lists = measured.lists;
+  const ListCounts& lists = measured.last.lists;
   CsvRow row{
       {"part", which.subject.name}, {"resolution", std::to_string(which.resolution)}, {"way", name_of(way)}};
-  if (!measured.refused.empty()) {
-    row.emplace_back("refused", measured.refused);
+  if (!measured.last.refused.empty()) {
+    row.emplace_back("refused", measured.last.refused);
     return row;
   }
   row.insert(row.end(), {{"grid", lists.grid},
@@ -61,7 +38,7 @@ CsvRow row_of(const FieldCase& which, Way way, const Measured& measured, bool ti
                          {"inside_mean", fixed(lists.inside_mean, 3)},
                          {"stated_kb", fixed(lists.stated_bytes / 1000, 1)}});
   if (timed) {
-    row.emplace_back("real_mb", fixed(measured.bytes / 1e6, 3));
+    row.emplace_back("real_mb", fixed(measured.last.bytes / 1e6, 3));
     row.emplace_back("build_ms", fixed(1000 * median(measured.seconds), 2));
     if (measured.least) {
       row.emplace_back("least_surface_mean", fixed(measured.least->surface_mean, 3));
@@ -112,8 +89,10 @@ Csv field_table(const std::vector<FieldCase>& cases, int rounds) {
     std::map<Way, Measured> measured;
     for (int round = 0; round < std::max(rounds, 1); ++round) {
       for (const Way way : all_ways) {
-        const Rounds& known = measured[way].seconds;
-        if (known.empty() || known.front() < long_build) measure(way, mesh, measured[way]);
+        Measured& own = measured[way];
+        if (!own.seconds.empty() && own.seconds.front() >= long_build) continue;
+        own.last = measured_build(way, mesh);
+        own.seconds.push_back(own.last.seconds);
       }
     }
     if (rounds > 0 && which.resolution <= most_resolution_for_least) {

@@ -11,10 +11,9 @@
 #include <vector>
 
 #include "cdfr/parts/part.h"
-#include "malloc_bytes.h"
 #include "processor_time.h"
 #include "random.h"
-#include "tables/ways.h"
+#include "tables/measured_build.h"
 
 namespace cdfr::bench {
 namespace {
@@ -25,37 +24,22 @@ constexpr int queries = 100000;
 /// triangle.
 constexpr double growth = 7;
 
-template <class Built>
-CsvRow cost_row(const std::string& part, int resolution, Way way, const Built& field, double seconds,
-                double bytes) {
-  const ListCounts lists = lists_of(field);
-  return {{"part", part},
-          {"resolution", std::to_string(resolution)},
-          {"way", name_of(way)},
-          {"lists", fixed(lists.inside + lists.surface, 0)},
-          {"stated_mb", fixed(lists.stated_bytes / 1e6, 3)},
-          {"real_mb", fixed(bytes / 1e6, 3)},
-          {"build_ms", fixed(1000 * seconds, 2)}};
-}
-
-/// Seconds that it took; nothing of use if it was refused, which is a row too.
-template <class Build>
-double add_build(Csv& table, const std::string& part, int resolution, Way way, Build build) {
+/// Seconds that it took; infinite if it was refused, which is a row too.
+double add_build(Csv& table, const std::string& part, int resolution, Way way, const VoxelMesh& mesh) {
   std::fprintf(stderr, "scaling: %s %d, %s\n", part.c_str(), resolution, name_of(way).c_str());
-  const auto before = static_cast<double>(malloc_bytes());
-  const double start = processor_seconds();
-  const auto field = build();
-  const double seconds = processor_seconds() - start;
-  if (!field) {
-    table.add({{"part", part},
-               {"resolution", std::to_string(resolution)},
-               {"way", name_of(way)},
-               {"refused", field.error().text.substr(0, field.error().text.find(':'))}});
+  const MeasuredBuild built = measured_build(way, mesh);
+  CsvRow row{{"part", part}, {"resolution", std::to_string(resolution)}, {"way", name_of(way)}};
+  if (!built.refused.empty()) {
+    row.emplace_back("refused", built.refused);
+    table.add(row);
     return HUGE_VAL;
   }
-  const double bytes = static_cast<double>(malloc_bytes()) - before;
-  table.add(cost_row(part, resolution, way, *field, seconds, bytes));
-  return seconds;
+  row.insert(row.end(), {{"lists", fixed(built.lists.inside + built.lists.surface, 0)},
+                         {"stated_mb", fixed(built.lists.stated_bytes / 1e6, 3)},
+                         {"real_mb", fixed(built.bytes / 1e6, 3)},
+                         {"build_ms", fixed(1000 * built.seconds, 2)}});
+  table.add(row);
+  return built.seconds;
 }
 
 /// Every triangle becomes four, by the middles of its sides, which neighbours share.
@@ -147,13 +131,8 @@ Csv resolution_scaling(double most_seconds) {
       const VoxelMesh voxels = in_voxels(mesh, resolution);
       for (const Way way : {Way::uniform, Way::octree_band, Way::octree_own, Way::octree}) {
         if (expected[way] > most_seconds) continue;
-        if (way == Way::uniform) {
-          const double took = add_build(table, part, resolution, way, [&] { return build_uniform(voxels); });
-          if (std::isinf(took)) expected[way] = took;
-        } else {
-          expected[way] =
-              growth * add_build(table, part, resolution, way, [&] { return build_octree(way, voxels); });
-        }
+        const double took = add_build(table, part, resolution, way, voxels);
+        expected[way] = way == Way::uniform && std::isfinite(took) ? 0 : growth * took;
       }
     }
   }
